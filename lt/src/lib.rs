@@ -1,1 +1,192 @@
-//! lt
+//! Lubrication theory of two squirming spheres: the loads in closed form.
+//!
+//! Isolated loads plus the parts that diverge at contact where `eps <= 1`, isolated loads beyond,
+//! after Darveniza, Ishikawa, Pedley & Brumley, *Pairwise scattering and bound states of spherical
+//! microorganisms* (2022). At `eps = 1` the loads jump: `1/(4 eps)` does not vanish there.
+//!
+//! ```
+//! use lt::{Form, Lubrication};
+//! use scene::{Gap, Hydrodynamics};
+//! let loads = Lubrication::new(Form::Published).loads(Gap::new(0.1)?, 2)?;
+//! let log = 10f64.ln();
+//! assert!((loads.xa.own() - (1.0 + 2.5 + 9.0 / 40.0 * log)).abs() < 1e-14);
+//! assert!((loads.modes()[0].xf.own() - (4.0 + 9.0 / 4.0 * log)).abs() < 1e-14);
+//! # Ok::<(), scene::SceneError>(())
+//! ```
+
+use scene::{Gap, GapRange, Hydrodynamics, MAX_MODES, PairLoads, SceneError, SelfOther, singular};
+
+/// Gap up to which the spheres interact, in sphere radii.
+pub const CUTOFF: f64 = 1.0;
+
+/// Which coefficient the axial squirming force has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// `9/4`, as the paper prints it and as its figures were computed.
+    Published,
+    /// `3`, from zero net flux through the gap: the slope of exact solutions.
+    Corrected,
+}
+
+impl Form {
+    /// Coefficient of `ln(1/eps)` in `XF1_n = -XF2_n`.
+    #[must_use]
+    pub fn axial_squirming(self) -> f64 {
+        match self {
+            Self::Published => 9.0 / 4.0,
+            Self::Corrected => singular::AXIAL_SQUIRMING,
+        }
+    }
+}
+
+/// Lubrication theory as a hydrodynamic model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lubrication {
+    axial_squirming: f64,
+}
+
+impl Lubrication {
+    /// Lubrication theory in the given form.
+    #[must_use]
+    pub fn new(form: Form) -> Self {
+        Self {
+            axial_squirming: form.axial_squirming(),
+        }
+    }
+}
+
+impl Hydrodynamics for Lubrication {
+    fn range(&self) -> GapRange {
+        GapRange {
+            smallest: f64::MIN_POSITIVE,
+            largest: f64::INFINITY,
+        }
+    }
+
+    fn loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
+        if gap.eps() > CUTOFF {
+            check_modes(modes)?;
+            Ok(PairLoads::isolated(modes))
+        } else {
+            self.interacting_loads(gap, modes)
+        }
+    }
+
+    fn error_estimate(&self, gap: Gap, modes: usize) -> Result<f64, SceneError> {
+        check_modes(modes)?;
+        self.range().check(gap)?;
+        Ok(0.0)
+    }
+
+    fn cutoff(&self) -> Option<f64> {
+        Some(CUTOFF)
+    }
+
+    #[inline]
+    fn interacting_loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
+        check_modes(modes)?;
+        self.range().check(gap)?;
+        let mut loads = singular::loads(gap, modes, self.axial_squirming);
+        let unit = SelfOther {
+            sum: 1.0,
+            difference: 1.0,
+        };
+        loads.xa += unit;
+        loads.ya += unit;
+        loads.xc += unit;
+        loads.yc += unit;
+        if let Some(first) = loads.modes_mut().first_mut() {
+            let thrust = SelfOther {
+                sum: 4.0,
+                difference: 4.0,
+            };
+            first.xf += thrust;
+            first.yf += thrust;
+        }
+        Ok(loads)
+    }
+}
+
+#[inline]
+fn check_modes(modes: usize) -> Result<(), SceneError> {
+    if modes > MAX_MODES {
+        return Err(SceneError::TooManyModes {
+            modes,
+            allowed: MAX_MODES,
+        });
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// DESIGN's list, scalar by scalar: isolated plus singular where `eps <= 1`.
+    fn listed(name: &str, log: f64, eps: f64, k: f64) -> f64 {
+        let squeeze = 1.0 / (4.0 * eps) + 9.0 / 40.0 * log;
+        match name {
+            "X11A" => 1.0 + squeeze,
+            "X12A" => -squeeze,
+            "Y11A" => 1.0 + log / 6.0,
+            "Y12A" => -log / 6.0,
+            "Y11B" => -log / 4.0,
+            "Y12B" => log / 4.0,
+            "X11C" => 1.0,
+            "X12C" => 0.0,
+            "Y11C" => 1.0 + log / 5.0,
+            "Y12C" => log / 20.0,
+            "XF1_1" => 4.0 + k * log,
+            "YF1_1" => 4.0 + log,
+            _ if name.starts_with("XF1") => k * log,
+            _ if name.starts_with("XF2") => -k * log,
+            _ if name.starts_with("YF1") => log,
+            _ if name.starts_with("YF2") => -log,
+            _ if name.starts_with("YT1") => 1.6 * log,
+            _ if name.starts_with("YT2") => 0.4 * log,
+            _ => panic!("unknown load {name}"),
+        }
+    }
+
+    #[test]
+    fn val_both_forms_are_isolated_plus_singular() {
+        for (form, k) in [(Form::Published, 9.0 / 4.0), (Form::Corrected, 3.0)] {
+            for eps in [1.0, 0.3, 1e-2, 1e-5, 1e-12] {
+                let gap = Gap::new(eps).unwrap();
+                let loads = Lubrication::new(form).loads(gap, 8).unwrap();
+                for (name, value) in loads.named() {
+                    let expected = listed(&name, -eps.ln(), eps, k);
+                    assert_relative_eq!(value, expected, max_relative = 4e-15, epsilon = 4e-15);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn beyond_the_cut_squirmers_are_isolated() {
+        let model = Lubrication::new(Form::Published);
+        let loads = model.loads(Gap::new(1.0 + 1e-15).unwrap(), 2).unwrap();
+        assert_eq!(loads, PairLoads::isolated(2));
+    }
+
+    #[test]
+    fn sum_of_squeeze_scalars_keeps_its_digits_at_contact() {
+        let model = Lubrication::new(Form::Corrected);
+        let loads = model.loads(Gap::new(1e-14).unwrap(), 1).unwrap();
+        assert_relative_eq!(loads.xa.sum, 1.0, max_relative = 1e-15);
+    }
+
+    #[test]
+    fn nine_modes_are_refused() {
+        let model = Lubrication::new(Form::Corrected);
+        let refused = model.loads(Gap::new(0.1).unwrap(), 9);
+        assert_eq!(
+            refused,
+            Err(SceneError::TooManyModes {
+                modes: 9,
+                allowed: 8
+            })
+        );
+    }
+}

@@ -9,6 +9,30 @@ pub enum SceneError {
         /// The gap, in sphere radii.
         eps: f64,
     },
+    /// A number that must be finite and is not.
+    #[error("{what} {value} is not allowed: it must be a finite number")]
+    NotFinite {
+        /// What the number is.
+        what: &'static str,
+        /// The number.
+        value: f64,
+    },
+    /// A number that must be positive and is not.
+    #[error("{what} {value} is not allowed: it must be positive")]
+    NotPositive {
+        /// What the number is.
+        what: &'static str,
+        /// The number.
+        value: f64,
+    },
+    /// A vector that must have a direction and has none.
+    #[error("{what} {vector:?} is not allowed: the vector must be finite and not zero")]
+    NoDirection {
+        /// What the vector is.
+        what: &'static str,
+        /// The vector.
+        vector: [f64; 3],
+    },
     /// A gap outside the range of a hydrodynamic model.
     #[error("gap {eps:e} is outside the model's range {smallest:e} to {largest:e}")]
     GapOutsideRange {
@@ -26,6 +50,12 @@ pub enum SceneError {
         modes: usize,
         /// Modes allowed.
         allowed: usize,
+    },
+    /// The integration of a trajectory failed.
+    #[error("trajectory: {reason}")]
+    Stepper {
+        /// The stepper's reason, one line.
+        reason: String,
     },
     /// A model failed for a reason of its own.
     #[error("{model}: {reason}")]

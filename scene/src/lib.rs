@@ -1,11 +1,34 @@
 //! What is in a scene of two squirmers, and how it moves.
+//!
+//! Two equal spheres alone in a Stokes fluid: all hydrodynamics depends on one number, the
+//! [`Gap`]. A hydrodynamic model ([`Hydrodynamics`]) is a function from the gap to the
+//! [`PairLoads`]; the force balance ([`balance`]) and the motion ([`motion`]) are the same for all
+//! of them. [`Tabulated`] makes any model, however dear, as cheap as a closed form.
+//!
+//! Units: radius 1, viscosity 1, swimming speed of order 1; definitions and signs of all loads are
+//! in [`loads`].
 
+pub mod balance;
+mod effects;
 mod error;
 mod gap;
 mod hydrodynamics;
+mod legendre;
 pub mod loads;
+pub mod motion;
+pub mod ode;
+mod scene;
+pub mod singular;
+mod squirmer;
+mod tabulated;
 
+pub use effects::{Gravity, Repulsion};
 pub use error::SceneError;
 pub use gap::Gap;
 pub use hydrodynamics::{GapRange, Hydrodynamics};
+pub use legendre::{Legendre, legendre};
 pub use loads::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
+pub use motion::{Configuration, Counters, Outcome, Run, RunOptions, Sample, run};
+pub use scene::{Orientation, Pose, Scene};
+pub use squirmer::Squirmer;
+pub use tabulated::{FAR_GAP, TableLimit, TableOptions, Tabulated};

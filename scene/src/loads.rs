@@ -60,6 +60,14 @@ impl SelfOther {
     }
 }
 
+impl std::ops::AddAssign for SelfOther {
+    #[inline]
+    fn add_assign(&mut self, rhs: Self) {
+        self.sum += rhs.sum;
+        self.difference += rhs.difference;
+    }
+}
+
 /// Loads by one squirming mode: axial force, transverse force, torque. See the module's signs.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ModeLoads {

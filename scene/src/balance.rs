@@ -1,0 +1,177 @@
+//! Force and torque balance of a pair of free squirmers, in closed form.
+//!
+//! In sums and differences over the two spheres the resistance problem falls apart into one
+//! equation for each axial motion and a 2 x 2 system for each transverse parity. With the common
+//! axis `d` from sphere 1 to sphere 2, transverse forces `F`, transverse torques as `T x d` and
+//! spins as `w = omega x d`, all per `pi mu a` (torques per `pi mu a^2`):
+//!
+//! ```text
+//! 6 (X11A +- X12A) (U1 +- U2) = F1 +- F2                                       (axial)
+//! [  6 (Y11A +- Y12A)  -4 (Y11B +- Y12B) ] [ U1 +- U2 ]   [ F1 +- F2 ]
+//! [ -4 (Y11B +- Y12B)   8 (Y11C -+ Y12C) ] [ w1 -+ w2 ] = [ T1 -+ T2 ]         (transverse)
+//! ```
+//!
+//! No pivoting is needed, and a symmetric scene stays symmetric to the last bit. The equations
+//! follow from the definitions in [`crate::loads`] with `d -> -d` for sphere 2.
+
+use std::ops::{Add, Mul, Sub};
+
+use crate::{Gap, PairLoads, SelfOther, Squirmer, legendre};
+
+/// A quantity perpendicular to `d`: a number in planar motion, a vector in three dimensions.
+pub trait Transverse:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self>
+{
+    /// No component.
+    const ZERO: Self;
+}
+
+impl Transverse for f64 {
+    const ZERO: Self = 0.0;
+}
+
+impl Transverse for nalgebra::Vector3<f64> {
+    const ZERO: Self = nalgebra::Vector3::new(0.0, 0.0, 0.0);
+}
+
+/// A squirmer's orientation in the pair frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Heading<T> {
+    /// `p . d_k`, where `d_k` points from this squirmer to the other one.
+    pub cosine: f64,
+    /// The part of `p` perpendicular to `d`, in axes common to both squirmers.
+    pub transverse: T,
+}
+
+/// Loads of other than hydrodynamic origin.
+#[derive(Clone, Copy, Debug)]
+pub struct External<T> {
+    /// Repulsive force that drives the two apart, per `pi mu a`.
+    pub repulsion: f64,
+    /// Torques as `T x d`, per `pi mu a^2`.
+    pub torque: [T; 2],
+}
+
+/// How a pair moves at one instant. Velocities are in units of length over time with `a = 1`.
+#[derive(Clone, Copy, Debug)]
+pub struct PairVelocity<T> {
+    /// `d(ln eps)/dt`.
+    pub opening: f64,
+    /// Mean velocity of the two along `d`.
+    pub mean_axial: f64,
+    /// Mean velocity of the two across `d`.
+    pub mean_transverse: T,
+    /// `d(d)/dt`, the rate at which the line of centres turns.
+    pub turning: T,
+    /// `omega_k x d` of each squirmer.
+    pub spin: [T; 2],
+}
+
+/// Squirming loads on the two spheres, as sums and differences (1 + 2 and 1 - 2).
+struct Squirming<T> {
+    axial: SelfOther,
+    force_sum: T,
+    force_difference: T,
+    torque_sum: T,
+    torque_difference: T,
+}
+
+#[inline]
+fn squirming<T: Transverse>(
+    loads: &PairLoads,
+    squirmers: &[Squirmer; 2],
+    headings: &[Heading<T>; 2],
+) -> Squirming<T> {
+    let mut axial = SelfOther::default();
+    let mut force = [0.0; 4];
+    let [one, two] = headings;
+    let [b1, b2] = [squirmers[0].modes(), squirmers[1].modes()];
+    let orders = legendre(one.cosine).zip(legendre(two.cosine));
+    // Per unit transverse heading of squirmer 1 and 2: [F+, F-, T+, T-], each a pair.
+    let mut second = [0.0; 4];
+    for (n, (mode, (of_one, of_two))) in loads.modes().iter().zip(orders).enumerate() {
+        let b1 = b1.get(n).copied().unwrap_or(0.0);
+        let b2 = b2.get(n).copied().unwrap_or(0.0);
+        let (q1, q2) = (b1 * of_one.p, b2 * of_two.p);
+        axial.sum += (q1 - q2) * mode.xf.sum;
+        axial.difference += (q1 + q2) * mode.xf.difference;
+        for (coefficients, strength) in [(&mut force, b1 * of_one.w), (&mut second, b2 * of_two.w)]
+        {
+            coefficients[0] += strength * mode.yf.sum;
+            coefficients[1] += strength * mode.yf.difference;
+            coefficients[2] += strength * mode.yt.sum;
+            coefficients[3] += strength * mode.yt.difference;
+        }
+    }
+    let [v1, v2] = [one.transverse, two.transverse];
+    Squirming {
+        axial,
+        force_sum: v1 * force[0] + v2 * second[0],
+        force_difference: v1 * force[1] - v2 * second[1],
+        torque_sum: v1 * force[2] - v2 * second[2],
+        torque_difference: v1 * force[3] + v2 * second[3],
+    }
+}
+
+/// Solution `(U, w)` of `[6a, -4b; -4b, 8c] (U, w) = (force, torque)`.
+#[inline]
+fn solve_transverse<T: Transverse>(a: f64, b: f64, c: f64, force: T, torque: T) -> (T, T) {
+    let inverse = 1.0 / (48.0 * a * c - 16.0 * b * b);
+    (
+        (force * (8.0 * c) + torque * (4.0 * b)) * inverse,
+        (force * (4.0 * b) + torque * (6.0 * a)) * inverse,
+    )
+}
+
+/// Velocities of the force- and torque-free pair (but for `external`) at `gap` with the given
+/// `loads`; `headings` in the pair frame.
+///
+/// ```
+/// use scene::{Gap, PairLoads, Squirmer, balance::{External, Heading, pair_velocity}};
+/// // Far apart, a squirmer that points at the other one swims at V_s = 2 B_1/3.
+/// let squirmers = [Squirmer::with_beta(1.0, 5.0)?, Squirmer::new(&[])?];
+/// let ahead = Heading { cosine: 1.0, transverse: 0.0 };
+/// let external = External { repulsion: 0.0, torque: [0.0, 0.0] };
+/// let far = Gap::new(1e6)?;
+/// let v = pair_velocity(far, &PairLoads::isolated(2), &squirmers, &[ahead, ahead], &external);
+/// assert!((v.mean_axial - 0.5).abs() < 1e-15);
+/// assert!((v.opening * far.eps() + 1.0).abs() < 1e-15);
+/// # Ok::<(), scene::SceneError>(())
+/// ```
+#[inline]
+pub fn pair_velocity<T: Transverse>(
+    gap: Gap,
+    loads: &PairLoads,
+    squirmers: &[Squirmer; 2],
+    headings: &[Heading<T>; 2],
+    external: &External<T>,
+) -> PairVelocity<T> {
+    let slip = squirming(loads, squirmers, headings);
+    let axial_difference = slip.axial.difference - 2.0 * external.repulsion;
+    let [t1, t2] = external.torque;
+    let (sum, spin_difference) = solve_transverse(
+        loads.ya.sum,
+        loads.yb.sum,
+        loads.yc.difference,
+        slip.force_sum,
+        slip.torque_difference + (t1 - t2),
+    );
+    let (difference, spin_sum) = solve_transverse(
+        loads.ya.difference,
+        loads.yb.difference,
+        loads.yc.sum,
+        slip.force_difference,
+        slip.torque_sum + (t1 + t2),
+    );
+    PairVelocity {
+        // Near contact X11A - X12A goes as 1/(2 eps), so this product is of order one.
+        opening: -axial_difference / (6.0 * (loads.xa.difference * gap.eps())),
+        mean_axial: slip.axial.sum / (12.0 * loads.xa.sum),
+        mean_transverse: sum * 0.5,
+        turning: difference * (-1.0 / gap.distance()),
+        spin: [
+            (spin_sum + spin_difference) * 0.5,
+            (spin_sum - spin_difference) * 0.5,
+        ],
+    }
+}

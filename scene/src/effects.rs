@@ -1,0 +1,100 @@
+//! Effects other than hydrodynamics that a scene may call for.
+
+use nalgebra::Vector3;
+
+use crate::squirmer::finite;
+use crate::{Gap, SceneError};
+
+/// Short-range repulsion that keeps the spheres apart (the paper's Eq. 4, after Ishikawa &
+/// Pedley 2007): `kappa1 kappa2 e/(1 - e)` with `e = exp(-kappa2 eps)`, per `mu a^2` and time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Repulsion {
+    strength: f64,
+    decay: f64,
+}
+
+impl Repulsion {
+    /// The paper's `kappa1 = 10`, `kappa2 = 100`.
+    pub const PAPER: Self = Self {
+        strength: 10.0,
+        decay: 100.0,
+    };
+
+    /// Repulsion of strength `kappa1 >= 0` and decay rate `kappa2 > 0`.
+    ///
+    /// # Errors
+    /// [`SceneError::NotFinite`] or [`SceneError::NotPositive`].
+    pub fn new(kappa1: f64, kappa2: f64) -> Result<Self, SceneError> {
+        for (what, value) in [("kappa1", kappa1), ("kappa2", kappa2)] {
+            if finite(what, value)? <= 0.0 {
+                return Err(SceneError::NotPositive { what, value });
+            }
+        }
+        Ok(Self {
+            strength: kappa1,
+            decay: kappa2,
+        })
+    }
+
+    /// Force on each sphere, away from the other one, per `pi mu a`.
+    ///
+    /// ```
+    /// use scene::{Gap, Repulsion};
+    /// // At small gaps it tends to kappa1/(pi eps).
+    /// let force = Repulsion::PAPER.force(Gap::new(1e-9)?);
+    /// assert!((force * 1e-9 * std::f64::consts::PI / 10.0 - 1.0).abs() < 1e-6);
+    /// # Ok::<(), scene::SceneError>(())
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn force(&self, gap: Gap) -> f64 {
+        let scale = self.strength * self.decay / std::f64::consts::PI;
+        // e/(1 - e) without cancellation at small gaps.
+        scale / (self.decay * gap.eps()).exp_m1()
+    }
+}
+
+/// Gravity, which turns bottom-heavy squirmers upward.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gravity {
+    direction: Vector3<f64>,
+}
+
+impl Gravity {
+    /// Gravity along `-y`, across the pair's initial line of centres (the paper's `alpha = 0`).
+    pub const DOWN: Self = Self {
+        direction: Vector3::new(0.0, -1.0, 0.0),
+    };
+
+    /// Gravity along `direction`, which need not be of unit length.
+    ///
+    /// # Errors
+    /// [`SceneError::NoDirection`] if it has no direction.
+    pub fn new(direction: Vector3<f64>) -> Result<Self, SceneError> {
+        Ok(Self {
+            direction: unit("gravity", direction)?,
+        })
+    }
+
+    /// Unit vector along which gravity pulls.
+    #[inline]
+    #[must_use]
+    pub fn direction(&self) -> Vector3<f64> {
+        self.direction
+    }
+}
+
+/// `vector` at unit length, left as it is to the last bit if it has that length already.
+pub(crate) fn unit(what: &'static str, vector: Vector3<f64>) -> Result<Vector3<f64>, SceneError> {
+    let length = vector.norm();
+    if (length - 1.0).abs() < f64::EPSILON {
+        Ok(vector)
+    } else if length > 0.0 && length.is_finite() {
+        Ok(vector / length)
+    } else {
+        Err(SceneError::NoDirection {
+            what,
+            vector: vector.into(),
+        })
+    }
+}

@@ -1,0 +1,301 @@
+//! Coordinates in which the pair's motion is integrated.
+//!
+//! Both carry `ln eps` as a variable of its own, so that the spheres cannot overlap and the gap
+//! keeps its digits near contact, the midpoint of the two centres, and the line of centres `d`.
+
+use nalgebra::Vector3;
+use std::f64::consts::{PI, TAU};
+
+use crate::balance::{Heading, PairVelocity, Transverse};
+use crate::{Gap, Gravity, PairLoads, Squirmer};
+
+/// A state in the laboratory frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Configuration {
+    /// Gap between the surfaces.
+    pub gap: Gap,
+    /// Midpoint of the two centres, in sphere radii.
+    pub midpoint: Vector3<f64>,
+    /// Unit vector from the first centre to the second.
+    pub line: Vector3<f64>,
+    /// Unit orientations.
+    pub orientations: [Vector3<f64>; 2],
+    /// Angle of `line`'s projection on the x-y plane, in radians; it winds.
+    pub line_angle: f64,
+    /// Angles of the orientations' projections on the x-y plane, in radians; they wind.
+    pub angles: [f64; 2],
+}
+
+impl Configuration {
+    /// The two centres, in sphere radii.
+    #[must_use]
+    pub fn positions(&self) -> [Vector3<f64>; 2] {
+        let half = self.line * (0.5 * self.gap.distance());
+        [self.midpoint - half, self.midpoint + half]
+    }
+}
+
+/// `angle` plus the multiple of 2 pi that brings it nearest to `previous`.
+pub(crate) fn unwind(angle: f64, previous: f64) -> f64 {
+    angle + TAU * ((previous - angle) / TAU).round()
+}
+
+/// Coordinates of dimension `N`.
+pub(crate) trait Coordinates<const N: usize>: Copy {
+    /// What is perpendicular to the line of centres.
+    type Across: Transverse;
+    /// Index of `ln eps`.
+    const LN_GAP: usize;
+
+    /// The state of a configuration.
+    fn encode(&self, configuration: &Configuration) -> [f64; N];
+    /// The configuration of a state, its angles wound on from those of `previous`.
+    fn decode(&self, y: &[f64; N], previous: &Configuration) -> Configuration;
+    /// Orientations in the pair frame.
+    fn headings(&self, y: &[f64; N]) -> [Heading<Self::Across>; 2];
+    /// Torques of gravity as `T x d`, per `pi mu a^2`.
+    fn gravity_torques(
+        &self,
+        y: &[f64; N],
+        gravity: Gravity,
+        squirmers: &[Squirmer; 2],
+    ) -> [Self::Across; 2];
+    /// Time derivative of the state.
+    fn derivative(&self, y: &[f64; N], velocity: &PairVelocity<Self::Across>) -> [f64; N];
+    /// What gravity adds to [`Self::derivative`]: spin about the line of centres.
+    fn add_axial_spin(
+        &self,
+        y: &[f64; N],
+        dy: &mut [f64; N],
+        loads: &PairLoads,
+        gravity: Gravity,
+        squirmers: &[Squirmer; 2],
+    );
+}
+
+/// Motion in a plane of constant z:
+/// midpoint x, y; angle of the line of centres; `ln eps`; and each orientation's angle measured
+/// from the direction to the other sphere (so that a facing pair has zeros, exactly).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Planar {
+    /// The plane.
+    pub z: f64,
+}
+
+const THETA: usize = 2;
+
+impl Coordinates<6> for Planar {
+    type Across = f64;
+    const LN_GAP: usize = 3;
+
+    fn encode(&self, c: &Configuration) -> [f64; 6] {
+        let theta = c.line_angle;
+        let [a1, a2] = [c.angles[0] - theta, c.angles[1] - theta - PI];
+        [c.midpoint.x, c.midpoint.y, theta, c.gap.ln(), a1, a2]
+    }
+
+    fn decode(&self, y: &[f64; 6], _previous: &Configuration) -> Configuration {
+        let [x, y0, theta, ln_gap, a1, a2] = *y;
+        let angles = [theta + a1, theta + PI + a2];
+        let direction = |angle: f64| Vector3::new(angle.cos(), angle.sin(), 0.0);
+        Configuration {
+            gap: Gap::from_ln(ln_gap),
+            midpoint: Vector3::new(x, y0, self.z),
+            line: direction(theta),
+            orientations: angles.map(direction),
+            line_angle: theta,
+            angles,
+        }
+    }
+
+    #[inline]
+    fn headings(&self, y: &[f64; 6]) -> [Heading<f64>; 2] {
+        let [(s1, c1), (s2, c2)] = [y[4].sin_cos(), y[5].sin_cos()];
+        // The second squirmer's own transverse axis is opposed to the common one.
+        [
+            Heading {
+                cosine: c1,
+                transverse: s1,
+            },
+            Heading {
+                cosine: c2,
+                transverse: -s2,
+            },
+        ]
+    }
+
+    #[inline]
+    fn gravity_torques(
+        &self,
+        y: &[f64; 6],
+        gravity: Gravity,
+        squirmers: &[Squirmer; 2],
+    ) -> [f64; 2] {
+        let g = gravity.direction();
+        let torque = |angle: f64, squirmer: &Squirmer| {
+            let (sin, cos) = angle.sin_cos();
+            -squirmer.gravity_torque() * (cos * g.y - sin * g.x)
+        };
+        [
+            torque(y[THETA] + y[4], &squirmers[0]),
+            torque(y[THETA] + PI + y[5], &squirmers[1]),
+        ]
+    }
+
+    #[inline]
+    fn derivative(&self, y: &[f64; 6], v: &PairVelocity<f64>) -> [f64; 6] {
+        let (sin, cos) = y[THETA].sin_cos();
+        [
+            v.mean_axial * cos - v.mean_transverse * sin,
+            v.mean_axial * sin + v.mean_transverse * cos,
+            v.turning,
+            v.opening,
+            v.spin[0] - v.turning,
+            v.spin[1] - v.turning,
+        ]
+    }
+
+    #[inline]
+    fn add_axial_spin(
+        &self,
+        _: &[f64; 6],
+        _: &mut [f64; 6],
+        _: &PairLoads,
+        _: Gravity,
+        _: &[Squirmer; 2],
+    ) {
+        // Torques are perpendicular to the plane, hence to the line of centres.
+    }
+}
+
+/// Motion in three dimensions: midpoint, line of centres, `ln eps`, both orientations.
+///
+/// The vectors' lengths are preserved by the equations and only their directions enter, so a
+/// drift of the length by rounding has no effect.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Spatial;
+
+const SPATIAL_LN_GAP: usize = 6;
+
+#[inline]
+fn vector(y: &[f64; 13], at: usize) -> Vector3<f64> {
+    Vector3::new(y[at], y[at + 1], y[at + 2])
+}
+
+#[inline]
+fn store(y: &mut [f64; 13], at: usize, v: Vector3<f64>) {
+    y[at..at + 3].copy_from_slice(v.as_slice());
+}
+
+const MIDPOINT: usize = 0;
+const LINE: usize = 3;
+const ORIENTATION: [usize; 2] = [7, 10];
+
+impl Coordinates<13> for Spatial {
+    type Across = Vector3<f64>;
+    const LN_GAP: usize = SPATIAL_LN_GAP;
+
+    fn encode(&self, c: &Configuration) -> [f64; 13] {
+        let mut y = [0.0; 13];
+        store(&mut y, MIDPOINT, c.midpoint);
+        store(&mut y, LINE, c.line);
+        y[SPATIAL_LN_GAP] = c.gap.ln();
+        for (at, p) in ORIENTATION.into_iter().zip(c.orientations) {
+            store(&mut y, at, p);
+        }
+        y
+    }
+
+    fn decode(&self, y: &[f64; 13], previous: &Configuration) -> Configuration {
+        let azimuth = |v: Vector3<f64>, before: f64| unwind(v.y.atan2(v.x), before);
+        let line = vector(y, LINE).normalize();
+        let orientations = ORIENTATION.map(|at| vector(y, at).normalize());
+        Configuration {
+            gap: Gap::from_ln(y[SPATIAL_LN_GAP]),
+            midpoint: vector(y, MIDPOINT),
+            line,
+            orientations,
+            line_angle: azimuth(line, previous.line_angle),
+            angles: [0, 1].map(|k| azimuth(orientations[k], previous.angles[k])),
+        }
+    }
+
+    #[inline]
+    fn headings(&self, y: &[f64; 13]) -> [Heading<Vector3<f64>>; 2] {
+        let d = vector(y, LINE).normalize();
+        let [along, against] = ORIENTATION.map(|at| {
+            let p = vector(y, at).normalize();
+            let along = p.dot(&d);
+            Heading {
+                cosine: along,
+                transverse: p - d * along,
+            }
+        });
+        [
+            along,
+            Heading {
+                cosine: -against.cosine,
+                ..against
+            },
+        ]
+    }
+
+    #[inline]
+    fn gravity_torques(
+        &self,
+        y: &[f64; 13],
+        gravity: Gravity,
+        squirmers: &[Squirmer; 2],
+    ) -> [Vector3<f64>; 2] {
+        let d = vector(y, LINE).normalize();
+        spatial_torques(y, gravity, squirmers).map(|torque| torque.cross(&d))
+    }
+
+    #[inline]
+    fn derivative(&self, y: &[f64; 13], v: &PairVelocity<Vector3<f64>>) -> [f64; 13] {
+        let line = vector(y, LINE);
+        let length = line.norm();
+        let d = line / length;
+        let mut dy = [0.0; 13];
+        store(&mut dy, MIDPOINT, d * v.mean_axial + v.mean_transverse);
+        store(&mut dy, LINE, v.turning * length);
+        dy[SPATIAL_LN_GAP] = v.opening;
+        for (at, w) in ORIENTATION.into_iter().zip(v.spin) {
+            store(&mut dy, at, d.cross(&w).cross(&vector(y, at)));
+        }
+        dy
+    }
+
+    #[inline]
+    fn add_axial_spin(
+        &self,
+        y: &[f64; 13],
+        dy: &mut [f64; 13],
+        loads: &PairLoads,
+        gravity: Gravity,
+        squirmers: &[Squirmer; 2],
+    ) {
+        let d = vector(y, LINE).normalize();
+        let [t1, t2] = spatial_torques(y, gravity, squirmers).map(|torque| torque.dot(&d));
+        let sum = (t1 + t2) / (8.0 * loads.xc.sum);
+        let difference = (t1 - t2) / (8.0 * loads.xc.difference);
+        let spins = [0.5 * (sum + difference), 0.5 * (sum - difference)];
+        for (at, spin) in ORIENTATION.into_iter().zip(spins) {
+            let turned = vector(dy, at) + d.cross(&vector(y, at)) * spin;
+            store(dy, at, turned);
+        }
+    }
+}
+
+/// Torques of gravity, `-(V_s G_bh/pi) p x g` per `pi mu a^2` (the paper's Eq. 9).
+#[inline]
+fn spatial_torques(
+    y: &[f64; 13],
+    gravity: Gravity,
+    squirmers: &[Squirmer; 2],
+) -> [Vector3<f64>; 2] {
+    [0, 1].map(|k| {
+        let p = vector(y, ORIENTATION[k]).normalize();
+        p.cross(&gravity.direction()) * -squirmers[k].gravity_torque()
+    })
+}

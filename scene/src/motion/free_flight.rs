@@ -1,0 +1,286 @@
+//! Flight of squirmers that do not interact, in closed form.
+//!
+//! A lone squirmer swims along `p` at `V_s` while gravity turns `p` towards `-g` with the rate
+//! `k sin(angle to -g)`, `k = V_s G_bh/(8 pi)` (the paper's Eq. 12). With `h` half the angle,
+//! `tan h(t) = tan h(0) exp(-k t)`, and the displacement follows by integration.
+
+use nalgebra::Vector3;
+
+use super::coordinates::{Configuration, unwind};
+use crate::{Gap, Gravity, Scene, Squirmer};
+
+/// One squirmer's free flight from time 0.
+#[derive(Clone, Copy, Debug)]
+struct Flight {
+    position: Vector3<f64>,
+    orientation: Vector3<f64>,
+    speed: f64,
+    turning: Option<Turning>,
+}
+
+/// How gravity turns it: `up`, the perpendicular to it in the plane of `p`, sine and cosine of
+/// half the angle between `p` and `up`, and the rate `k`.
+#[derive(Clone, Copy, Debug)]
+struct Turning {
+    up: Vector3<f64>,
+    side: Vector3<f64>,
+    sin_half: f64,
+    cos_half: f64,
+    rate: f64,
+}
+
+impl Flight {
+    fn new(
+        squirmer: &Squirmer,
+        position: Vector3<f64>,
+        orientation: Vector3<f64>,
+        gravity: Option<Gravity>,
+    ) -> Self {
+        let turning = gravity.and_then(|gravity| {
+            let rate = squirmer.gravity_torque() / 8.0;
+            let up = -gravity.direction();
+            let level = orientation - up * orientation.dot(&up);
+            let sine = level.norm();
+            // Exactly up or down: nothing turns it.
+            (rate != 0.0 && sine > 0.0).then(|| {
+                let half = 0.5 * sine.atan2(orientation.dot(&up));
+                Turning {
+                    up,
+                    side: level / sine,
+                    sin_half: half.sin(),
+                    cos_half: half.cos(),
+                    rate,
+                }
+            })
+        });
+        Self {
+            position,
+            orientation,
+            speed: squirmer.swimming_speed(),
+            turning,
+        }
+    }
+
+    /// Position and orientation after the time `t`.
+    fn at(&self, t: f64) -> (Vector3<f64>, Vector3<f64>) {
+        let Some(turning) = &self.turning else {
+            return (
+                self.position + self.orientation * (self.speed * t),
+                self.orientation,
+            );
+        };
+        let Turning {
+            up,
+            side,
+            sin_half: s,
+            cos_half: c,
+            rate,
+        } = *turning;
+        let kt = rate * t;
+        let lost = -(-kt).exp_m1(); // 1 - exp(-kt)
+        let kept = 1.0 - lost;
+        // Angle turned through, without cancellation when it is small.
+        let turned = 2.0 * (s * c * lost).atan2(c * c + s * s * kept);
+        let rise = if kt < 1.0 {
+            (c * c * kt.exp_m1() - s * s * lost).ln_1p()
+        } else {
+            kt + (c * c + s * s * kept * kept).ln()
+        };
+        let angle = 2.0 * (s * kept).atan2(c);
+        let scale = self.speed / rate;
+        (
+            self.position + side * (scale * turned) + up * (scale * rise),
+            side * angle.sin() + up * angle.cos(),
+        )
+    }
+
+    /// Largest acceleration on the way.
+    fn acceleration(&self) -> f64 {
+        self.turning.map_or(0.0, |t| (self.speed * t.rate).abs())
+    }
+}
+
+/// Free flight of a pair from a configuration.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PairFlight {
+    start: Configuration,
+    flights: [Flight; 2],
+}
+
+impl PairFlight {
+    pub(crate) fn new(scene: &Scene, start: Configuration) -> Self {
+        let positions = start.positions();
+        let gravity = scene.acting_gravity();
+        let flights = [0, 1].map(|k| {
+            Flight::new(
+                &scene.squirmers[k],
+                positions[k],
+                start.orientations[k],
+                gravity,
+            )
+        });
+        Self { start, flights }
+    }
+
+    /// The configuration after the time `t`; angles wind on.
+    pub(crate) fn at(&self, t: f64) -> Configuration {
+        let [(x1, p1), (x2, p2)] = [self.flights[0].at(t), self.flights[1].at(t)];
+        let separation = x2 - x1;
+        let distance = separation.norm();
+        let line = separation / distance;
+        let turned = |k: usize, p: Vector3<f64>| {
+            if self.flights[k].turning.is_none() {
+                self.start.angles[k]
+            } else {
+                unwind(p.y.atan2(p.x), self.start.angles[k])
+            }
+        };
+        Configuration {
+            // Rounding may bring the distance of a touching pair to 2 or below.
+            gap: Gap::from_ln((distance - 2.0).max(f64::MIN_POSITIVE).ln()),
+            midpoint: (x1 + x2) * 0.5,
+            line,
+            orientations: [p1, p2],
+            line_angle: unwind(line.y.atan2(line.x), self.start.line_angle),
+            angles: [turned(0, p1), turned(1, p2)],
+        }
+    }
+
+    /// Distance of the centres and its rate of change after the time `t`.
+    pub(crate) fn distance(&self, t: f64) -> (f64, f64) {
+        let [(x1, p1), (x2, p2)] = [self.flights[0].at(t), self.flights[1].at(t)];
+        let separation = x2 - x1;
+        let velocity = p2 * self.flights[1].speed - p1 * self.flights[0].speed;
+        let distance = separation.norm();
+        (distance, separation.dot(&velocity) / distance)
+    }
+
+    /// Whether the two fly straight, so that once receding they recede for ever.
+    pub(crate) fn is_straight(&self) -> bool {
+        self.flights.iter().all(|flight| flight.turning.is_none())
+    }
+
+    /// First time within `duration` at which the distance falls to `contact`, if it does; a pair
+    /// that starts there is in contact at time 0 if it closes in.
+    ///
+    /// Conservative advancement: the distance's second derivative is at least minus the sum `A`
+    /// of the accelerations, so the parabola `D + D' t - A t^2/2` bounds the distance from below
+    /// and its first root is never past the contact. On straight paths this is Newton's method on
+    /// a convex function.
+    pub(crate) fn contact(&self, contact: f64, duration: f64) -> Option<f64> {
+        let acceleration: f64 = self.flights.iter().map(Flight::acceleration).sum();
+        let mut t = 0.0;
+        let (start, rate) = self.distance(0.0);
+        if start <= contact * (1.0 + 4.0 * f64::EPSILON) && rate < 0.0 {
+            return Some(0.0);
+        }
+        while t <= duration {
+            let (distance, rate) = self.distance(t);
+            let left = (distance - contact).max(0.0);
+            if rate < 0.0 && left <= 4.0 * f64::EPSILON * contact {
+                return Some(t);
+            }
+            let root = (rate * rate + 2.0 * acceleration * left).sqrt();
+            let advance = if rate <= 0.0 {
+                2.0 * left / (root - rate)
+            } else if acceleration > 0.0 {
+                (rate + root) / acceleration
+            } else {
+                return None;
+            };
+            // A grazing pair creeps towards the contact: at this step it has as good as arrived.
+            let least = 1e-13 * (1.0 + t);
+            if advance < least && rate < 0.0 {
+                return Some(t);
+            }
+            if !advance.is_finite() {
+                return None;
+            }
+            t += advance.max(least);
+        }
+        None
+    }
+
+    /// Time within `duration` at which the two are nearest.
+    pub(crate) fn closest_approach(&self, duration: f64) -> f64 {
+        if self.is_straight() {
+            let [a, b] = &self.flights;
+            let separation = b.position - a.position;
+            let velocity = b.orientation * b.speed - a.orientation * a.speed;
+            let squared = velocity.norm_squared();
+            if squared > 0.0 {
+                return (-separation.dot(&velocity) / squared).clamp(0.0, duration);
+            }
+            return 0.0;
+        }
+        // Curved paths: the rate of change of distance, bisected in every interval of a grid.
+        const INTERVALS: u32 = 400;
+        let step = duration / f64::from(INTERVALS);
+        let mut nearest = [0.0, duration]
+            .into_iter()
+            .min_by(|a, b| self.distance(*a).0.total_cmp(&self.distance(*b).0))
+            .unwrap_or(0.0);
+        for i in 0..INTERVALS {
+            let (mut low, mut high) = (f64::from(i) * step, f64::from(i + 1) * step);
+            if self.distance(low).1 >= 0.0 || self.distance(high).1 <= 0.0 {
+                continue;
+            }
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if self.distance(middle).1 < 0.0 {
+                    low = middle;
+                } else {
+                    high = middle;
+                }
+            }
+            if self.distance(low).0 < self.distance(nearest).0 {
+                nearest = low;
+            }
+        }
+        nearest
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Fourth-order Runge-Kutta on the equations that the closed form solves.
+    fn integrated(squirmer: &Squirmer, p: Vector3<f64>, t: f64) -> (Vector3<f64>, Vector3<f64>) {
+        let rate = squirmer.gravity_torque() / 8.0;
+        let turn = |p: Vector3<f64>| (p.cross(&Gravity::DOWN.direction()) * -rate).cross(&p);
+        let (mut x, mut p) = (Vector3::zeros(), p);
+        let steps = 4000;
+        let h = t / f64::from(steps);
+        for _ in 0..steps {
+            let k1 = turn(p);
+            let p2 = p + k1 * (h / 2.0);
+            let k2 = turn(p2);
+            let p3 = p + k2 * (h / 2.0);
+            let k3 = turn(p3);
+            let p4 = p + k3 * h;
+            let k4 = turn(p4);
+            x += (p + (p2 + p3) * 2.0 + p4) * (h / 6.0 * squirmer.swimming_speed());
+            p += (k1 + (k2 + k3) * 2.0 + k4) * (h / 6.0);
+        }
+        (x, p)
+    }
+
+    #[test]
+    fn val_flight_under_gravity_solves_its_equation_of_motion() {
+        for (g_bh, t) in [(10.0, 3.0), (1e-6, 50.0), (300.0, 2.0), (-4.0, 5.0)] {
+            let squirmer = Squirmer::with_beta(1.0, 1.0)
+                .and_then(|s| s.bottom_heavy(g_bh))
+                .unwrap();
+            for angle in [-1.5, -0.3, 0.0, 1.2, 2.9] {
+                let p = Vector3::new(f64::cos(angle), f64::sin(angle), 0.0);
+                let flight = Flight::new(&squirmer, Vector3::zeros(), p, Some(Gravity::DOWN));
+                let (x, q) = flight.at(t);
+                let (x_expected, q_expected) = integrated(&squirmer, p, t);
+                assert_relative_eq!(x, x_expected, epsilon = 1e-9);
+                assert_relative_eq!(q, q_expected, epsilon = 1e-9);
+            }
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! The motion of a pair: from a scene and a hydrodynamic model to a trajectory and its outcome.
+
+mod coordinates;
+mod equations;
+mod free_flight;
+mod outcome;
+mod run;
+
+pub use coordinates::Configuration;
+pub use outcome::Outcome;
+pub use run::{Counters, Run, RunOptions, Sample, run};

@@ -1,0 +1,489 @@
+//! Runs a scene from start to end.
+//!
+//! A model with a cut (lubrication theory) is run as an alternation of free flights, jumped over
+//! in closed form, and contacts, integrated; the crossing of the cut is located both ways. A model
+//! without a cut is one integration. Departure, the crossing of `eps = 1` and the smallest gap are
+//! located, not stepped over.
+
+use super::coordinates::{Configuration, Coordinates, Planar, Spatial};
+use super::equations::{Absent, Effect, PairMotion, Present};
+use super::free_flight::PairFlight;
+use super::outcome::{Outcome, judge_bound};
+use crate::ode::{Dense, Direction, OdeError, Step, Stepper, first_crossing, first_minimum};
+use crate::{Gap, Gravity, Hydrodynamics, Repulsion, Scene, SceneError};
+
+/// How to run a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RunOptions {
+    /// Tolerance of the stepper per step, absolute and relative, in radii and radians.
+    pub tolerance: f64,
+    /// Time at which a run ends at the latest, in units of `a/V_s`.
+    pub end_time: f64,
+    /// Distance of the centres, in radii, at which a receding pair has parted, where the model has
+    /// no cut and gravity does not act.
+    pub departure_distance: f64,
+    /// Time between recorded samples; none are recorded without it.
+    pub sample_interval: Option<f64>,
+    /// Steps, accepted and rejected, after which a run is given up.
+    pub max_steps: usize,
+}
+
+impl Default for RunOptions {
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-8,
+            end_time: 200.0,
+            departure_distance: 12.0,
+            sample_interval: None,
+            max_steps: 1_000_000,
+        }
+    }
+}
+
+/// A configuration on the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Time, in units of `a/V_s`.
+    pub t: f64,
+    /// The pair at that time.
+    pub configuration: Configuration,
+}
+
+/// What a run cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejected: u64,
+    /// Loads asked of the model, one for each right-hand side.
+    pub loads: u64,
+    /// Free flights jumped over in closed form.
+    pub flights: u64,
+}
+
+/// A run from start to end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// The start.
+    pub start: Configuration,
+    /// The end.
+    pub end: Configuration,
+    /// Time at the end.
+    pub end_time: f64,
+    /// Smallest gap on the way, in radii.
+    pub min_gap: f64,
+    /// Time spent at gaps `eps <= 1`: the paper's duration of the interaction, tau.
+    pub contact_time: f64,
+    /// What became of the pair.
+    pub outcome: Outcome,
+    /// What it cost.
+    pub counters: Counters,
+    /// Samples at multiples of the sample interval, with start, end and changes of phase.
+    pub samples: Vec<Sample>,
+}
+
+impl Run {
+    /// Outgoing minus incoming angle of each squirmer's orientation, projected on the x-y plane,
+    /// in radians, anticlockwise positive; it winds.
+    #[must_use]
+    pub fn deflections(&self) -> [f64; 2] {
+        [0, 1].map(|k| self.end.angles[k] - self.start.angles[k])
+    }
+}
+
+/// Gap up to which the paper counts the time of an interaction.
+const CONTACT_GAP: f64 = 1.0;
+
+/// Share of a run after which the pair is watched to tell in which way it is bound.
+const WATCHED_FROM: f64 = 0.75;
+
+/// Alternations of flight and contact after which a run is given up.
+const MAX_PHASES: usize = 100_000;
+
+/// Runs `scene` under the hydrodynamics of `model`.
+///
+/// # Errors
+/// [`SceneError`] if the spheres overlap at the start, the model cannot give the loads at a gap
+/// that the pair reaches, the stepper fails, or an option is not allowed.
+pub fn run<H: Hydrodynamics + ?Sized>(
+    scene: &Scene,
+    model: &H,
+    options: &RunOptions,
+) -> Result<Run, SceneError> {
+    if scene.is_planar() {
+        let plane = Planar {
+            z: scene.start[0].position.z,
+        };
+        with_repulsion(scene, model, options, plane)
+    } else {
+        with_repulsion(scene, model, options, Spatial)
+    }
+}
+
+fn with_repulsion<H: Hydrodynamics + ?Sized, C: Coordinates<N>, const N: usize>(
+    scene: &Scene,
+    model: &H,
+    options: &RunOptions,
+    coordinates: C,
+) -> Result<Run, SceneError> {
+    match scene.repulsion {
+        Some(repulsion) => with_gravity(scene, model, options, coordinates, Present(repulsion)),
+        None => with_gravity(scene, model, options, coordinates, Absent),
+    }
+}
+
+fn with_gravity<H, C, R, const N: usize>(
+    scene: &Scene,
+    model: &H,
+    options: &RunOptions,
+    coordinates: C,
+    repulsion: R,
+) -> Result<Run, SceneError>
+where
+    H: Hydrodynamics + ?Sized,
+    C: Coordinates<N>,
+    R: Effect<Repulsion>,
+{
+    match scene.acting_gravity() {
+        Some(g) => Runner::new(scene, model, options, coordinates, repulsion, Present(g))?.run(),
+        None => Runner::new(scene, model, options, coordinates, repulsion, Absent)?.run(),
+    }
+}
+
+/// The configuration in which a scene starts.
+fn start(scene: &Scene) -> Result<Configuration, SceneError> {
+    let [one, two] = &scene.start;
+    let separation = two.position - one.position;
+    let line = separation / separation.norm();
+    Ok(Configuration {
+        gap: scene.gap()?,
+        midpoint: (one.position + two.position) * 0.5,
+        line,
+        orientations: [one.orientation.vector()?, two.orientation.vector()?],
+        line_angle: line.y.atan2(line.x),
+        angles: [one.orientation.angle(), two.orientation.angle()],
+    })
+}
+
+/// Why an integrated phase ended.
+enum PhaseEnd {
+    /// The pair receded through the gap at which it parts (the cut, or the departure distance).
+    Parted,
+    /// Time is up.
+    Time,
+}
+
+struct Runner<'a, H: ?Sized, C, R, G, const N: usize> {
+    scene: &'a Scene,
+    options: &'a RunOptions,
+    motion: PairMotion<'a, H, C, R, G>,
+    start: Configuration,
+    t: f64,
+    now: Configuration,
+    min_gap: f64,
+    contact_time: f64,
+    counters: Counters,
+    samples: Vec<Sample>,
+    /// Samples taken so far at multiples of the interval.
+    sampled: u64,
+    /// The first configuration in the watched part of the run.
+    watched: Option<Sample>,
+}
+
+impl<'a, H, C, R, G, const N: usize> Runner<'a, H, C, R, G, N>
+where
+    H: Hydrodynamics + ?Sized,
+    C: Coordinates<N>,
+    R: Effect<Repulsion>,
+    G: Effect<Gravity>,
+{
+    fn new(
+        scene: &'a Scene,
+        model: &'a H,
+        options: &'a RunOptions,
+        coordinates: C,
+        repulsion: R,
+        gravity: G,
+    ) -> Result<Self, SceneError> {
+        for (what, value) in [
+            ("tolerance", options.tolerance),
+            ("end time", options.end_time),
+            ("sample interval", options.sample_interval.unwrap_or(1.0)),
+        ] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(SceneError::NotPositive { what, value });
+            }
+        }
+        let start = start(scene)?;
+        Ok(Self {
+            scene,
+            options,
+            motion: PairMotion {
+                model,
+                coordinates,
+                squirmers: scene.squirmers,
+                modes: scene.modes(),
+                repulsion,
+                gravity,
+                failure: None,
+                loads: 0,
+            },
+            start,
+            t: 0.0,
+            now: start,
+            min_gap: start.gap.eps(),
+            contact_time: 0.0,
+            counters: Counters::default(),
+            samples: Vec::new(),
+            sampled: 0,
+            watched: None,
+        })
+    }
+
+    fn run(mut self) -> Result<Run, SceneError> {
+        self.record_start();
+        let outcome = match self.motion.model.cutoff() {
+            Some(cutoff) => self.run_with_cutoff(cutoff)?,
+            None => self.run_without_cutoff()?,
+        };
+        self.record(self.t, self.now);
+        self.counters.loads = self.motion.loads;
+        Ok(Run {
+            start: self.start,
+            end: self.now,
+            end_time: self.t,
+            min_gap: self.min_gap,
+            contact_time: self.contact_time,
+            outcome,
+            counters: self.counters,
+            samples: self.samples,
+        })
+    }
+
+    fn run_without_cutoff(&mut self) -> Result<Outcome, SceneError> {
+        // Under gravity squirmers turn and may meet again: only time ends such a run.
+        let departure = match self.motion.gravity.get() {
+            Some(_) => None,
+            None => Some(Gap::new(self.options.departure_distance - 2.0)?),
+        };
+        match self.integrate(departure)? {
+            PhaseEnd::Parted => Ok(Outcome::Scattered),
+            PhaseEnd::Time => Ok(self.judge_bound()),
+        }
+    }
+
+    fn run_with_cutoff(&mut self, cutoff: f64) -> Result<Outcome, SceneError> {
+        let cut = Gap::new(cutoff)?;
+        let mut free = self.now.gap.eps() >= cutoff;
+        for _ in 0..MAX_PHASES {
+            if free {
+                match self.fly(cut) {
+                    Flown::Contact => free = false,
+                    Flown::Parted => return Ok(Outcome::Scattered),
+                    Flown::Time => return Ok(self.judge_free()),
+                }
+            } else {
+                match self.integrate(Some(cut))? {
+                    PhaseEnd::Parted => free = true,
+                    PhaseEnd::Time => return Ok(self.judge_bound()),
+                }
+            }
+            self.record(self.t, self.now);
+        }
+        Err(SceneError::Stepper {
+            reason: format!("no end to contacts and flights at t = {}", self.t),
+        })
+    }
+
+    /// Straight flight parts for good; under gravity time may be up before the next contact.
+    fn judge_free(&self) -> Outcome {
+        Outcome::Scattered
+    }
+
+    fn judge_bound(&self) -> Outcome {
+        let Some(watched) = &self.watched else {
+            return Outcome::Undecided;
+        };
+        let speed = (self.scene.squirmers.iter())
+            .map(|s| s.swimming_speed().abs())
+            .fold(0.0, f64::max);
+        judge_bound(&watched.configuration, &self.now, self.t - watched.t, speed)
+    }
+
+    /// Flies freely to the next contact at the gap `cut`, or to the end.
+    fn fly(&mut self, cut: Gap) -> Flown {
+        self.counters.flights += 1;
+        let flight = PairFlight::new(self.scene, self.now);
+        let left = self.options.end_time - self.t;
+        let contact = flight.contact(cut.distance(), left);
+        let nearest = flight.closest_approach(contact.unwrap_or(left));
+        self.min_gap = self.min_gap.min(flight.distance(nearest).0 - 2.0);
+        // A straight pair that misses has parted when it begins to recede.
+        let parted = contact.is_none() && flight.is_straight() && nearest < left;
+        let duration = contact.unwrap_or(if parted { nearest } else { left });
+        let end = self.t + duration;
+        let from = self.t;
+        self.record_between(end, |t| flight.at(t - from));
+        if contact != Some(0.0) {
+            self.now = flight.at(duration);
+        }
+        self.t = end;
+        if contact.is_some() {
+            self.now.gap = cut;
+            self.min_gap = self.min_gap.min(cut.eps());
+            Flown::Contact
+        } else if parted {
+            Flown::Parted
+        } else {
+            Flown::Time
+        }
+    }
+
+    /// Integrates until the pair recedes through `parting`, or to the end time.
+    fn integrate(&mut self, parting: Option<Gap>) -> Result<PhaseEnd, SceneError> {
+        let end_time = self.options.end_time;
+        if self.t >= end_time {
+            return Ok(PhaseEnd::Time);
+        }
+        let y = self.motion.coordinates.encode(&self.now);
+        let tolerance = self.options.tolerance;
+        let stepper = Stepper::new(&mut self.motion, self.t, y, tolerance, end_time);
+        let mut stepper = stepper
+            .map_err(|error| self.failure(error))?
+            .with_max_steps(self.options.max_steps);
+        let beyond = |ln_gap: f64| parting.is_some_and(|parting| ln_gap >= parting.ln());
+        let mut ended = beyond(y[C::LN_GAP]) && stepper.dy()[C::LN_GAP] >= 0.0;
+        let mut end = PhaseEnd::Parted;
+        while !ended {
+            let step = stepper.step(&mut self.motion, end_time);
+            let step = step.map_err(|error| self.failure(error))?;
+            ended = self
+                .follow(&step, parting)
+                .map_err(|error| self.failure(error))?;
+            if !ended && self.t >= end_time {
+                ended = true;
+                end = PhaseEnd::Time;
+            }
+        }
+        self.counters.steps += stepper.accepted() as u64;
+        self.counters.rejected += stepper.rejected() as u64;
+        Ok(end)
+    }
+
+    /// Takes in one step: up to the parting if that lies in it, and then says so.
+    fn follow(&mut self, step: &Step<N>, parting: Option<Gap>) -> Result<bool, OdeError> {
+        let of = C::LN_GAP;
+        let turns = step.dy0[of] < 0.0 && step.dy1[of] >= 0.0;
+        let crosses = |level: f64| (step.y0[of] <= level) != (step.y1[of] <= level);
+        let contact = CONTACT_GAP.ln();
+        let parts = parting.is_some_and(|gap| step.y1[of] >= gap.ln());
+        let samples = (self.options.sample_interval)
+            .is_some_and(|interval| self.next_sample(interval) <= step.t1);
+        let dense = if turns || crosses(contact) || parts || samples {
+            Some(step.dense(&mut self.motion)?)
+        } else {
+            None
+        };
+        let ends_at = match (&dense, parting) {
+            (Some(dense), Some(gap)) if parts => {
+                first_crossing(dense, |_, y| y[of] - gap.ln(), Direction::Rising, 0.0)
+            }
+            _ => None,
+        };
+        let (t, y) = match (&dense, ends_at) {
+            (Some(dense), Some(t)) => (t, dense.at(t)),
+            _ => (step.t1, step.y1),
+        };
+        self.track_gap(step, dense.as_ref(), t, &y);
+        let previous = self.now;
+        let coordinates = self.motion.coordinates;
+        if let Some(dense) = dense.filter(|_| samples) {
+            self.record_between(t, |t| coordinates.decode(&dense.at(t), &previous));
+        }
+        self.now = coordinates.decode(&y, &previous);
+        if let (Some(_), Some(gap)) = (ends_at, parting) {
+            self.now.gap = gap;
+        }
+        self.t = t;
+        if self.watched.is_none() && t >= WATCHED_FROM * self.options.end_time {
+            self.watched = Some(Sample {
+                t,
+                configuration: self.now,
+            });
+        }
+        Ok(ends_at.is_some())
+    }
+
+    /// Smallest gap and time in contact over a step, up to `(t, y)`.
+    fn track_gap(&mut self, step: &Step<N>, dense: Option<&Dense<N>>, t: f64, y: &[f64; N]) {
+        let of = C::LN_GAP;
+        let contact = CONTACT_GAP.ln();
+        let mut least = step.y0[of].min(y[of]);
+        let nearest = dense
+            .filter(|_| step.dy0[of] < 0.0 && step.dy1[of] >= 0.0)
+            .and_then(|dense| first_minimum(dense, |_, y| y[of]).map(|t| (t, dense.at(t)[of])))
+            .filter(|(nearest, _)| *nearest < t);
+        if let Some((_, ln_gap)) = nearest {
+            least = least.min(ln_gap);
+        }
+        self.min_gap = self.min_gap.min(least.exp());
+        let crossing = |direction| {
+            dense.and_then(|dense| first_crossing(dense, |_, y| y[of] - contact, direction, 0.0))
+        };
+        let enters = if step.y0[of] <= contact {
+            Some(step.t0)
+        } else {
+            crossing(Direction::Falling)
+        };
+        let leaves = if y[of] <= contact {
+            Some(t)
+        } else {
+            crossing(Direction::Rising)
+        };
+        if let (Some(enters), Some(leaves)) = (enters, leaves) {
+            self.contact_time += (leaves.min(t) - enters).max(0.0);
+        }
+    }
+
+    /// The stepper's error, or the model's that caused it.
+    fn failure(&mut self, error: OdeError) -> SceneError {
+        self.motion.failure.take().unwrap_or(SceneError::Stepper {
+            reason: error.to_string(),
+        })
+    }
+
+    fn next_sample(&self, interval: f64) -> f64 {
+        (self.sampled + 1) as f64 * interval
+    }
+
+    fn record_start(&mut self) {
+        self.record(0.0, self.start);
+    }
+
+    /// Records the configurations at multiples of the sample interval up to the time `end`.
+    fn record_between(&mut self, end: f64, at: impl Fn(f64) -> Configuration) {
+        let Some(interval) = self.options.sample_interval else {
+            return;
+        };
+        while self.next_sample(interval) < end {
+            let t = self.next_sample(interval);
+            self.sampled += 1;
+            self.record(t, at(t));
+        }
+    }
+
+    fn record(&mut self, t: f64, configuration: Configuration) {
+        let repeats = self.samples.last().is_some_and(|last| last.t >= t);
+        if self.options.sample_interval.is_some() && !repeats {
+            self.samples.push(Sample { t, configuration });
+        }
+    }
+}
+
+/// How a free flight ended.
+enum Flown {
+    Contact,
+    Parted,
+    Time,
+}

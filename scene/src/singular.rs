@@ -1,0 +1,52 @@
+//! The parts of the pair loads that diverge at contact, for equal spheres.
+//!
+//! With `L = ln(1/eps)`: rigid motions after Jeffrey & Onishi (1984) and Kim & Karrila,
+//! *Microhydrodynamics* (2005), chapter 9; squirming after Brumley & Pedley, Phys. Rev. Fluids 4
+//! (2019) 053102. Lubrication theory adds these to the isolated loads, tables subtract them so
+//! that what is left is smooth at contact.
+
+use crate::{Gap, PairLoads, SelfOther};
+
+/// Coefficient of `L` in the axial squirming force `XF1_n = -XF2_n`, every mode alike.
+///
+/// Zero net flux through the gap gives the pressure gradient `6 mu u_s / h^2` and with it
+/// `12 lambda^2/(1 + lambda)^2`, that is 3 for equal spheres; exact solutions have this slope.
+pub const AXIAL_SQUIRMING: f64 = 3.0;
+
+/// The diverging parts at `gap`, of `modes` squirming modes, with the coefficient
+/// `axial_squirming` in front of the logarithm of `XF1_n`.
+///
+/// ```
+/// use scene::{Gap, singular};
+/// let gap = Gap::new(0.01)?;
+/// let loads = singular::loads(gap, 2, singular::AXIAL_SQUIRMING);
+/// assert!((loads.xa.own() - (25.0 + 9.0 / 40.0 * gap.log_inverse())).abs() < 1e-13);
+/// assert!((loads.modes()[1].xf.other() + 3.0 * gap.log_inverse()).abs() < 1e-13);
+/// # Ok::<(), scene::SceneError>(())
+/// ```
+#[inline]
+#[must_use]
+pub fn loads(gap: Gap, modes: usize, axial_squirming: f64) -> PairLoads {
+    let log = gap.log_inverse();
+    let opposed = |own: f64| SelfOther {
+        sum: 0.0,
+        difference: 2.0 * own,
+    };
+    let mut loads = PairLoads::zero(modes);
+    loads.xa = opposed(0.25 / gap.eps() + 9.0 / 40.0 * log);
+    loads.ya = opposed(log / 6.0);
+    loads.yb = opposed(-0.25 * log);
+    loads.yc = SelfOther {
+        sum: 0.25 * log,
+        difference: 0.15 * log,
+    };
+    for mode in loads.modes_mut() {
+        mode.xf = opposed(axial_squirming * log);
+        mode.yf = opposed(log);
+        mode.yt = SelfOther {
+            sum: 2.0 * log,
+            difference: 1.2 * log,
+        };
+    }
+    loads
+}

@@ -1,0 +1,105 @@
+//! A squirmer: a sphere of radius 1 with tangential surface slip.
+
+use crate::{MAX_MODES, SceneError};
+
+/// A squirmer's slip modes and bottom-heaviness.
+///
+/// Slip velocity at the surface point with unit normal `n`, for orientation `p`, `c = p.n`:
+/// `u_s = sum_n B_n W_n(c) (c n - p)` (Blake 1971). A lone squirmer swims at `V_s = 2 B_1/3`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Squirmer {
+    modes: [f64; MAX_MODES],
+    count: usize,
+    bottom_heaviness: f64,
+}
+
+impl Squirmer {
+    /// A squirmer with slip modes `B_1, B_2, …` (velocities), at most [`MAX_MODES`] of them.
+    ///
+    /// Trailing zeros are dropped: a mode that is absent costs nothing.
+    ///
+    /// # Errors
+    /// [`SceneError::TooManyModes`], or [`SceneError::NotFinite`] for a mode that is not finite.
+    pub fn new(modes: &[f64]) -> Result<Self, SceneError> {
+        let count = modes.iter().rposition(|&b| b != 0.0).map_or(0, |n| n + 1);
+        if count > MAX_MODES {
+            return Err(SceneError::TooManyModes {
+                modes: count,
+                allowed: MAX_MODES,
+            });
+        }
+        let mut padded = [0.0; MAX_MODES];
+        for (slot, &b) in padded.iter_mut().zip(modes) {
+            *slot = finite("squirming mode", b)?;
+        }
+        Ok(Self {
+            modes: padded,
+            count,
+            bottom_heaviness: 0.0,
+        })
+    }
+
+    /// The paper's squirmer: swimming speed `V_s` and `beta = B_2/B_1` (pullers have `beta > 0`).
+    ///
+    /// # Errors
+    /// [`SceneError::NotFinite`] if either is not finite.
+    ///
+    /// ```
+    /// let puller = scene::Squirmer::with_beta(1.0, 5.0)?;
+    /// assert_eq!(puller.modes(), [1.5, 7.5]);
+    /// # Ok::<(), scene::SceneError>(())
+    /// ```
+    pub fn with_beta(swimming_speed: f64, beta: f64) -> Result<Self, SceneError> {
+        finite("swimming speed", swimming_speed)?;
+        finite("beta", beta)?;
+        Self::new(&[1.5 * swimming_speed, 1.5 * swimming_speed * beta])
+    }
+
+    /// The same squirmer with bottom-heaviness `G_bh = 4 pi rho g a h/(3 mu V_s)`.
+    ///
+    /// # Errors
+    /// [`SceneError::NotFinite`] if it is not finite.
+    pub fn bottom_heavy(self, g_bh: f64) -> Result<Self, SceneError> {
+        Ok(Self {
+            bottom_heaviness: finite("bottom-heaviness G_bh", g_bh)?,
+            ..self
+        })
+    }
+
+    /// Slip modes `B_1, B_2, …` up to the highest that is not zero.
+    #[inline]
+    #[must_use]
+    pub fn modes(&self) -> &[f64] {
+        &self.modes[..self.count]
+    }
+
+    /// Speed of the lone squirmer, `V_s = 2 B_1/3`, in its direction `p`.
+    #[inline]
+    #[must_use]
+    pub fn swimming_speed(&self) -> f64 {
+        self.modes[0] / 1.5
+    }
+
+    /// Bottom-heaviness `G_bh`.
+    #[inline]
+    #[must_use]
+    pub fn bottom_heaviness(&self) -> f64 {
+        self.bottom_heaviness
+    }
+
+    /// `V_s G_bh / pi`: the torque of gravity is this times `-p x g`, per `pi mu a^2`.
+    #[inline]
+    #[must_use]
+    pub fn gravity_torque(&self) -> f64 {
+        self.swimming_speed() * self.bottom_heaviness / std::f64::consts::PI
+    }
+}
+
+/// `value`, if it is finite.
+pub(crate) fn finite(what: &'static str, value: f64) -> Result<f64, SceneError> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(SceneError::NotFinite { what, value })
+    }
+}

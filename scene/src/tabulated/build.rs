@@ -1,0 +1,255 @@
+//! Building a table: adaptively, in parallel, to a tolerance or the model's noise.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+use super::chebyshev::{MAX_DEGREE, coefficients, points};
+use super::{FAR_GAP, Piece, TableLimit, Tabulated};
+use crate::{Gap, GapRange, Hydrodynamics, MAX_MODES, SceneError, singular};
+
+/// How to build a table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TableOptions {
+    /// Squirming modes to tabulate, 1 to this.
+    pub modes: usize,
+    /// Interpolation error to reach, relative to the larger of the load and 1.
+    pub tolerance: f64,
+    /// Smallest gap of the table; the model's smallest if that is larger.
+    pub smallest_gap: f64,
+}
+
+/// Degree at which the search begins.
+const FIRST_DEGREE: usize = 4;
+
+/// Halvings of a piece after which its interpolant is taken as it is.
+const MAX_HALVINGS: usize = 12;
+
+/// A gap so large that the two spheres do not feel each other to the last bit.
+const INFINITE_GAP: f64 = 1e18;
+
+/// The coordinate of a region of the table.
+#[derive(Clone, Copy)]
+enum Coordinate {
+    LogGap,
+    InverseDistance,
+}
+
+impl Coordinate {
+    fn gap(self, x: f64) -> Result<Gap, SceneError> {
+        match self {
+            Self::LogGap => Ok(Gap::from_ln(x)),
+            Self::InverseDistance => Gap::new((1.0 / x - 2.0).min(INFINITE_GAP)),
+        }
+    }
+}
+
+struct Builder<'a, M> {
+    model: &'a M,
+    options: TableOptions,
+    /// The tolerance asked for or the model's noise, whichever is larger.
+    target: f64,
+    evaluations: AtomicUsize,
+    progress: &'a (dyn Fn(usize) + Sync),
+}
+
+impl<M: Hydrodynamics> Tabulated<M> {
+    /// Tabulates `model`; `progress` is told the number of gaps evaluated so far.
+    ///
+    /// # Errors
+    /// Those of the model; [`SceneError::NotPositive`] for a tolerance or smallest gap that is not
+    /// positive; [`SceneError::TooManyModes`].
+    pub fn build(
+        model: M,
+        options: TableOptions,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Self, SceneError> {
+        for (what, value) in [
+            ("table tolerance", options.tolerance),
+            ("smallest gap", options.smallest_gap),
+        ] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(SceneError::NotPositive { what, value });
+            }
+        }
+        if options.modes > MAX_MODES {
+            return Err(SceneError::TooManyModes {
+                modes: options.modes,
+                allowed: MAX_MODES,
+            });
+        }
+        let noise = model.noise();
+        let limit = if noise > options.tolerance {
+            TableLimit::Noise(noise)
+        } else {
+            TableLimit::Tolerance(options.tolerance)
+        };
+        let range = GapRange {
+            smallest: options.smallest_gap.max(model.range().smallest),
+            largest: model.range().largest,
+        };
+        let builder = Builder {
+            model: &model,
+            options,
+            target: noise.max(options.tolerance),
+            evaluations: AtomicUsize::new(0),
+            progress,
+        };
+        let (near, far) = builder.regions(range)?;
+        let (near, near_error) = builder.region(Coordinate::LogGap, &near)?;
+        let (far, far_error) = builder.region(Coordinate::InverseDistance, &far)?;
+        let evaluations = builder.evaluations.into_inner();
+        Ok(Self {
+            model,
+            modes: options.modes,
+            range,
+            near,
+            far,
+            limit,
+            interpolation_error: near_error.max(far_error),
+            evaluations,
+        })
+    }
+}
+
+impl<M: Hydrodynamics> Builder<'_, M> {
+    /// Ends of the pieces of both regions: ends of the range, and the seams in between.
+    fn regions(&self, range: GapRange) -> Result<(Vec<f64>, Vec<f64>), SceneError> {
+        let split = FAR_GAP.ln();
+        let largest = Gap::new(range.largest.min(INFINITE_GAP))?;
+        let mut near = vec![range.smallest.ln(), split];
+        let farthest = if range.largest.is_finite() {
+            1.0 / largest.distance()
+        } else {
+            0.0
+        };
+        let mut far = vec![farthest, 1.0 / (2.0 + FAR_GAP)];
+        for seam in self.model.seams() {
+            let seam = Gap::new(seam)?;
+            if seam.ln() > near[0] && seam.ln() < split {
+                near.push(seam.ln());
+            } else if seam.ln() > split && seam.eps() < largest.eps() {
+                far.push(1.0 / seam.distance());
+            }
+        }
+        near.sort_by(f64::total_cmp);
+        far.sort_by(f64::total_cmp);
+        Ok((near, far))
+    }
+
+    /// The pieces between consecutive `ends`, and their largest interpolation error.
+    fn region(
+        &self,
+        coordinate: Coordinate,
+        ends: &[f64],
+    ) -> Result<(Vec<Piece>, f64), SceneError> {
+        let pieces: Vec<_> = ends
+            .par_windows(2)
+            .map(|ends| self.pieces(coordinate, ends[0], ends[1], 0))
+            .collect::<Result<Vec<_>, _>>()?
+            .concat();
+        let error = pieces.iter().map(|(_, e)| *e).fold(0.0, f64::max);
+        Ok((pieces.into_iter().map(|(piece, _)| piece).collect(), error))
+    }
+
+    /// One piece from `low` to `high`, or its halves if it does not converge.
+    fn pieces(
+        &self,
+        coordinate: Coordinate,
+        low: f64,
+        high: f64,
+        halvings: usize,
+    ) -> Result<Vec<(Piece, f64)>, SceneError> {
+        let mut degree = FIRST_DEGREE;
+        let mut values = self.values(coordinate, low, high, degree, None)?;
+        loop {
+            let rows = coefficients(&values);
+            let error = tail(&rows, &values);
+            let done = error <= self.target;
+            if done || (degree == MAX_DEGREE && halvings == MAX_HALVINGS) {
+                // The model is least sure at the smallest gap.
+                let worst = match coordinate {
+                    Coordinate::LogGap => inside(low, low, high),
+                    Coordinate::InverseDistance => inside(high, low, high),
+                };
+                let gap = coordinate.gap(worst)?;
+                let piece = Piece {
+                    low,
+                    high,
+                    coefficients: rows.concat(),
+                    error: self.model.error_estimate(gap, self.options.modes)?,
+                };
+                return Ok(vec![(piece, error)]);
+            }
+            if degree == MAX_DEGREE {
+                let middle = 0.5 * (low + high);
+                let (left, right) = rayon::join(
+                    || self.pieces(coordinate, low, middle, halvings + 1),
+                    || self.pieces(coordinate, middle, high, halvings + 1),
+                );
+                let mut pieces = left?;
+                pieces.extend(right?);
+                return Ok(pieces);
+            }
+            degree *= 2;
+            values = self.values(coordinate, low, high, degree, Some(values))?;
+        }
+    }
+
+    /// Smooth part of the loads at the Chebyshev points; every other one is already known from
+    /// half the degree.
+    fn values(
+        &self,
+        coordinate: Coordinate,
+        low: f64,
+        high: f64,
+        degree: usize,
+        known: Option<Vec<Vec<f64>>>,
+    ) -> Result<Vec<Vec<f64>>, SceneError> {
+        let points: Vec<_> = points(degree).collect();
+        points
+            .par_iter()
+            .enumerate()
+            .map(|(k, &u)| match &known {
+                Some(known) if k % 2 == 0 => Ok(known[k / 2].clone()),
+                _ => {
+                    let x = 0.5 * (low + high) + 0.5 * (high - low) * u;
+                    self.smooth_part(coordinate, inside(x, low, high))
+                }
+            })
+            .collect()
+    }
+
+    fn smooth_part(&self, coordinate: Coordinate, x: f64) -> Result<Vec<f64>, SceneError> {
+        let gap = coordinate.gap(x)?;
+        let modes = self.options.modes;
+        let mut columns: Vec<_> = self.model.loads(gap, modes)?.columns().collect();
+        if let Coordinate::LogGap = coordinate {
+            let singular = singular::loads(gap, modes, singular::AXIAL_SQUIRMING);
+            for (column, s) in columns.iter_mut().zip(singular.columns()) {
+                *column -= s;
+            }
+        }
+        let done = self.evaluations.fetch_add(1, Ordering::Relaxed) + 1;
+        (self.progress)(done);
+        Ok(columns)
+    }
+}
+
+/// `x`, kept off the ends of a piece, where a seam may belong to the neighbour.
+fn inside(x: f64, low: f64, high: f64) -> f64 {
+    let margin = 1e-12 * (high - low);
+    x.clamp(low + margin, high - margin)
+}
+
+/// Size of the last coefficients, in columns relative to the larger of their values and 1.
+fn tail(rows: &[Vec<f64>], values: &[Vec<f64>]) -> f64 {
+    let columns = rows.first().map_or(0, Vec::len);
+    (0..columns)
+        .map(|column| {
+            let scale = values.iter().map(|v| v[column].abs()).fold(1.0, f64::max);
+            let last = rows.iter().rev().take(2).map(|row| row[column].abs());
+            last.sum::<f64>() / scale
+        })
+        .fold(0.0, f64::max)
+}

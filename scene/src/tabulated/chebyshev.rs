@@ -1,0 +1,67 @@
+//! Chebyshev interpolation of several functions at once on one interval.
+
+use std::f64::consts::PI;
+
+/// Highest degree of a piece.
+pub(crate) const MAX_DEGREE: usize = 32;
+
+/// The `degree + 1` Chebyshev points `cos(pi k/degree)` of [-1, 1], from 1 to -1; those of twice
+/// the degree contain them at even `k`.
+pub(crate) fn points(degree: usize) -> impl Iterator<Item = f64> {
+    (0..=degree).map(move |k| (PI * k as f64 / degree as f64).cos())
+}
+
+/// Coefficients `c_0 ... c_degree` of the interpolant `sum c_j T_j` through `values[k]` at
+/// [`points`], column by column: `values[k][column]` gives `coefficients[j][column]`.
+pub(crate) fn coefficients(values: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let degree = values.len() - 1;
+    let columns = values.first().map_or(0, Vec::len);
+    let end_weight = |k: usize| if k == 0 || k == degree { 0.5 } else { 1.0 };
+    (0..=degree)
+        .map(|j| {
+            let mut row = vec![0.0; columns];
+            for (k, value) in values.iter().enumerate() {
+                // The angle is reduced to the first period to keep its digits.
+                let angle = PI * ((j * k) % (2 * degree)) as f64 / degree as f64;
+                let weight = 2.0 / degree as f64 * end_weight(k) * end_weight(j) * angle.cos();
+                for (c, v) in row.iter_mut().zip(value) {
+                    *c += weight * v;
+                }
+            }
+            row
+        })
+        .collect()
+}
+
+/// `sum_j coefficients[j] T_j(u)`, added to `out`, for `coefficients` laid out row by row with
+/// `columns` numbers a row, of which the first `out.len()` are wanted.
+#[inline]
+pub(crate) fn add_interpolant(coefficients: &[f64], columns: usize, u: f64, out: &mut [f64]) {
+    let (mut t, mut before) = (1.0, u);
+    for row in coefficients.chunks_exact(columns) {
+        for (o, c) in out.iter_mut().zip(row) {
+            *o += c * t;
+        }
+        // T_{j+1} = 2 u T_j - T_{j-1}, from T_0 = 1 and T_{-1} = u.
+        (t, before) = (2.0 * u * t - before, t);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn an_interpolant_reproduces_a_polynomial_and_its_derivative_free_columns() {
+        let polynomials = |u: f64| vec![1.0 - 2.0 * u + u.powi(5), u.powi(3)];
+        let values: Vec<_> = points(8).map(polynomials).collect();
+        let flat = coefficients(&values).concat();
+        for u in [-1.0, -0.3, 0.0, 0.77, 1.0] {
+            let mut out = [0.0; 2];
+            add_interpolant(&flat, 2, u, &mut out);
+            assert_relative_eq!(out[0], polynomials(u)[0], epsilon = 1e-14);
+            assert_relative_eq!(out[1], polynomials(u)[1], epsilon = 1e-14);
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! Any hydrodynamic model as a table: full hydrodynamics at lubrication's price.
+//!
+//! Up to the gap [`FAR_GAP`] the table interpolates in `ln eps` what is left of the loads when the
+//! parts that diverge at contact ([`singular`]) are subtracted; beyond, in `1/r`, out to infinity.
+//! Pieces end at the model's seams. Chebyshev points are doubled, and pieces halved, until the
+//! last coefficients are below the tolerance or the model's own noise.
+
+mod build;
+mod chebyshev;
+
+pub use build::TableOptions;
+
+use crate::loads::{MAX_MODES, PairLoads};
+use crate::{Gap, GapRange, Hydrodynamics, SceneError, singular};
+
+/// Gap at which the table changes from `ln eps` to `1/r`, in radii.
+pub const FAR_GAP: f64 = 2.0;
+
+/// What a table's interpolation error was brought down to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TableLimit {
+    /// The tolerance that was asked for.
+    Tolerance(f64),
+    /// The noise of the model, which is above the tolerance that was asked for.
+    Noise(f64),
+}
+
+/// An interval of the table's coordinate with its interpolant.
+#[derive(Clone, Debug)]
+struct Piece {
+    low: f64,
+    high: f64,
+    /// Row `j` holds the coefficients of `T_j`, one a column of [`PairLoads::columns`].
+    coefficients: Vec<f64>,
+    /// The model's error estimate in this piece.
+    error: f64,
+}
+
+impl Piece {
+    /// Where `x` lies in the piece, as a number in [-1, 1].
+    fn relative(&self, x: f64) -> f64 {
+        (2.0 * x - self.low - self.high) / (self.high - self.low)
+    }
+}
+
+/// A model tabulated over its whole range.
+#[derive(Clone, Debug)]
+pub struct Tabulated<M> {
+    model: M,
+    modes: usize,
+    range: GapRange,
+    /// In `ln eps`, ascending.
+    near: Vec<Piece>,
+    /// In `1/r`, ascending.
+    far: Vec<Piece>,
+    limit: TableLimit,
+    interpolation_error: f64,
+    evaluations: usize,
+}
+
+impl<M> Tabulated<M> {
+    /// The model behind the table.
+    pub fn model(&self) -> &M {
+        &self.model
+    }
+
+    /// What the interpolation error was brought down to.
+    pub fn limit(&self) -> TableLimit {
+        self.limit
+    }
+
+    /// Estimate of the largest interpolation error, relative to the larger of the load and 1.
+    pub fn interpolation_error(&self) -> f64 {
+        self.interpolation_error
+    }
+
+    /// Number of gaps at which the model was evaluated.
+    pub fn evaluations(&self) -> usize {
+        self.evaluations
+    }
+
+    /// The piece that `gap` lies in, and its coordinate there.
+    #[inline]
+    fn piece(&self, gap: Gap) -> Result<(&Piece, f64), SceneError> {
+        self.range.check(gap)?;
+        let (pieces, x) = if gap.eps() <= FAR_GAP {
+            (&self.near, gap.ln())
+        } else {
+            (&self.far, 1.0 / gap.distance())
+        };
+        let index = pieces.partition_point(|piece| piece.high < x);
+        pieces
+            .get(index)
+            .or(pieces.last())
+            .map(|piece| (piece, x))
+            .ok_or(SceneError::InvalidGap { eps: gap.eps() })
+    }
+}
+
+impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
+    fn range(&self) -> GapRange {
+        self.range
+    }
+
+    #[inline]
+    fn loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
+        if modes > self.modes {
+            return Err(SceneError::TooManyModes {
+                modes,
+                allowed: self.modes,
+            });
+        }
+        let (piece, x) = self.piece(gap)?;
+        let mut columns = [0.0; 10 + 6 * MAX_MODES];
+        if gap.eps() <= FAR_GAP {
+            let singular = singular::loads(gap, modes, singular::AXIAL_SQUIRMING);
+            for (slot, value) in columns.iter_mut().zip(singular.columns()) {
+                *slot = value;
+            }
+        }
+        let wanted = &mut columns[..PairLoads::column_count(modes)];
+        let width = PairLoads::column_count(self.modes);
+        chebyshev::add_interpolant(&piece.coefficients, width, piece.relative(x), wanted);
+        Ok(PairLoads::from_columns(modes, wanted))
+    }
+
+    fn error_estimate(&self, gap: Gap, _modes: usize) -> Result<f64, SceneError> {
+        let (piece, _) = self.piece(gap)?;
+        Ok(piece.error + self.interpolation_error)
+    }
+
+    fn noise(&self) -> f64 {
+        self.interpolation_error
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,121 @@
+use super::*;
+use crate::SelfOther;
+use approx::assert_relative_eq;
+
+/// A made-up model with the true singular parts, a seam at which it jumps, and stated noise.
+#[derive(Clone)]
+struct Made {
+    seam: Option<f64>,
+    noise: f64,
+}
+
+impl Hydrodynamics for Made {
+    fn range(&self) -> GapRange {
+        GapRange {
+            smallest: 1e-3,
+            largest: f64::INFINITY,
+        }
+    }
+
+    fn loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
+        self.range().check(gap)?;
+        let (eps, r) = (gap.eps(), gap.distance());
+        let mut loads = PairLoads::isolated(modes);
+        let jump = match self.seam {
+            Some(seam) if eps > seam => 1e-3,
+            _ => 0.0,
+        };
+        // Decays as 1/r far away, has the singular part and an eps ln eps term at contact.
+        let fade = (2.0 / r).powi(3);
+        let singular = singular::loads(gap, modes, singular::AXIAL_SQUIRMING);
+        loads.xa.difference += fade * (singular.xa.difference + eps * gap.ln()) - 1.5 / r;
+        loads.ya += SelfOther::new(0.2 / (r * r) + jump, -0.7 / r);
+        for mode in loads.modes_mut() {
+            mode.yt.sum += fade * gap.log_inverse() * 2.0;
+        }
+        Ok(loads)
+    }
+
+    fn error_estimate(&self, gap: Gap, _modes: usize) -> Result<f64, SceneError> {
+        Ok(1e-6 / gap.eps())
+    }
+
+    fn seams(&self) -> Vec<f64> {
+        self.seam.into_iter().collect()
+    }
+
+    fn noise(&self) -> f64 {
+        self.noise
+    }
+}
+
+fn table(seam: Option<f64>, noise: f64, tolerance: f64) -> Tabulated<Made> {
+    let options = TableOptions {
+        modes: 2,
+        tolerance,
+        smallest_gap: 1e-3,
+    };
+    Tabulated::build(Made { seam, noise }, options, &|_| ()).unwrap()
+}
+
+#[test]
+fn a_table_agrees_with_its_model_between_its_nodes() {
+    for tolerance in [1e-6, 1e-9] {
+        let table = table(Some(0.3), 1e-14, tolerance);
+        assert_eq!(table.limit(), TableLimit::Tolerance(tolerance));
+        for i in 0..400 {
+            let gap = Gap::from_ln(-6.9 + 0.047 * f64::from(i));
+            let expected = table.model().loads(gap, 2).unwrap();
+            let found = table.loads(gap, 2).unwrap();
+            for (e, f) in expected.columns().zip(found.columns()) {
+                assert!(
+                    (e - f).abs() <= 3.0 * tolerance * e.abs().max(1.0),
+                    "{gap:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_table_reaches_to_infinity() {
+    let table = table(None, 1e-14, 1e-10);
+    let far = table.loads(Gap::new(1e15).unwrap(), 2).unwrap();
+    for (found, isolated) in far.columns().zip(PairLoads::isolated(2).columns()) {
+        assert_relative_eq!(found, isolated, epsilon = 1e-9);
+    }
+}
+
+#[test]
+fn a_table_jumps_at_a_seam_as_its_model_does() {
+    let table = table(Some(0.3), 1e-14, 1e-9);
+    let at = |eps| table.loads(Gap::new(eps).unwrap(), 2).unwrap().ya.own();
+    assert_relative_eq!(at(0.3 + 1e-9) - at(0.3 - 1e-9), 1e-3, epsilon = 1e-8);
+}
+
+#[test]
+fn a_table_stops_at_the_noise_of_its_model_and_says_so() {
+    let fine = table(None, 1e-14, 1e-12);
+    let noisy = table(None, 1e-5, 1e-12);
+    assert_eq!(noisy.limit(), TableLimit::Noise(1e-5));
+    assert!(noisy.evaluations() < fine.evaluations());
+}
+
+#[test]
+fn gaps_under_the_range_are_refused() {
+    let table = table(None, 1e-14, 1e-6);
+    let refused = table.loads(Gap::new(9.9e-4).unwrap(), 2);
+    assert!(matches!(refused, Err(SceneError::GapOutsideRange { .. })));
+}
+
+#[test]
+fn fewer_modes_than_tabulated_are_read_and_more_refused() {
+    let table = table(None, 1e-14, 1e-6);
+    let gap = Gap::new(0.1).unwrap();
+    let one = table.loads(gap, 1).unwrap();
+    assert_eq!(one.modes(), &table.loads(gap, 2).unwrap().modes()[..1]);
+    assert!(matches!(
+        table.loads(gap, 3),
+        Err(SceneError::TooManyModes { .. })
+    ));
+}
