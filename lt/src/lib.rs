@@ -78,6 +78,10 @@ impl Hydrodynamics for Lubrication {
         Ok(0.0)
     }
 
+    fn fingerprint(&self) -> String {
+        format!("lubrication, axial squirming {}", self.axial_squirming)
+    }
+
     fn cutoff(&self) -> Option<f64> {
         Some(CUTOFF)
     }

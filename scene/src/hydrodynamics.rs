@@ -1,9 +1,11 @@
 //! What a hydrodynamic model is: a function from the gap to the loads of the pair.
 
+use serde::{Deserialize, Serialize};
+
 use crate::{Gap, PairLoads, SceneError};
 
 /// Gaps for which a model vouches, `smallest <= eps <= largest` (in sphere radii).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct GapRange {
     /// Smallest gap.
     pub smallest: f64,
@@ -83,4 +85,8 @@ pub trait Hydrodynamics: Sync {
     fn noise(&self) -> f64 {
         1e-13
     }
+
+    /// Names the model, its parameters and the revision of its code: two models with the same
+    /// fingerprint have the same loads, so that a table kept on disk may serve again.
+    fn fingerprint(&self) -> String;
 }

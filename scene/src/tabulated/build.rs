@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use super::chebyshev::{MAX_DEGREE, coefficients, points};
-use super::{FAR_GAP, Piece, TableLimit, Tabulated};
+use super::{FAR_GAP, Piece, Table, TableLimit, Tabulated};
 use crate::{Gap, GapRange, Hydrodynamics, MAX_MODES, SceneError, singular};
 
 /// How to build a table.
@@ -99,8 +99,7 @@ impl<M: Hydrodynamics> Tabulated<M> {
         let (near, near_error) = builder.region(Coordinate::LogGap, &near)?;
         let (far, far_error) = builder.region(Coordinate::InverseDistance, &far)?;
         let evaluations = builder.evaluations.into_inner();
-        Ok(Self {
-            model,
+        let table = Table {
             modes: options.modes,
             range,
             near,
@@ -108,7 +107,8 @@ impl<M: Hydrodynamics> Tabulated<M> {
             limit,
             interpolation_error: near_error.max(far_error),
             evaluations,
-        })
+        };
+        Ok(Self { model, table })
     }
 }
 

@@ -6,9 +6,12 @@
 //! last coefficients are below the tolerance or the model's own noise.
 
 mod build;
+mod cache;
 mod chebyshev;
 
 pub use build::TableOptions;
+
+use serde::{Deserialize, Serialize};
 
 use crate::loads::{MAX_MODES, PairLoads};
 use crate::{Gap, GapRange, Hydrodynamics, SceneError, singular};
@@ -17,7 +20,7 @@ use crate::{Gap, GapRange, Hydrodynamics, SceneError, singular};
 pub const FAR_GAP: f64 = 2.0;
 
 /// What a table's interpolation error was brought down to.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum TableLimit {
     /// The tolerance that was asked for.
     Tolerance(f64),
@@ -26,7 +29,7 @@ pub enum TableLimit {
 }
 
 /// An interval of the table's coordinate with its interpolant.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Piece {
     low: f64,
     high: f64,
@@ -47,6 +50,12 @@ impl Piece {
 #[derive(Clone, Debug)]
 pub struct Tabulated<M> {
     model: M,
+    table: Table,
+}
+
+/// What is worked out for a table, and kept on disk.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Table {
     modes: usize,
     range: GapRange,
     /// In `ln eps`, ascending.
@@ -66,19 +75,21 @@ impl<M> Tabulated<M> {
 
     /// What the interpolation error was brought down to.
     pub fn limit(&self) -> TableLimit {
-        self.limit
+        self.table.limit
     }
 
     /// Estimate of the largest interpolation error, relative to the larger of the load and 1.
     pub fn interpolation_error(&self) -> f64 {
-        self.interpolation_error
+        self.table.interpolation_error
     }
 
     /// Number of gaps at which the model was evaluated.
     pub fn evaluations(&self) -> usize {
-        self.evaluations
+        self.table.evaluations
     }
+}
 
+impl Table {
     /// The piece that `gap` lies in, and its coordinate there.
     #[inline]
     fn piece(&self, gap: Gap) -> Result<(&Piece, f64), SceneError> {
@@ -99,18 +110,19 @@ impl<M> Tabulated<M> {
 
 impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
     fn range(&self) -> GapRange {
-        self.range
+        self.table.range
     }
 
     #[inline]
     fn loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
-        if modes > self.modes {
+        let table = &self.table;
+        if modes > table.modes {
             return Err(SceneError::TooManyModes {
                 modes,
-                allowed: self.modes,
+                allowed: table.modes,
             });
         }
-        let (piece, x) = self.piece(gap)?;
+        let (piece, x) = table.piece(gap)?;
         let mut columns = [0.0; 10 + 6 * MAX_MODES];
         if gap.eps() <= FAR_GAP {
             let singular = singular::loads(gap, modes, singular::AXIAL_SQUIRMING);
@@ -119,18 +131,22 @@ impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
             }
         }
         let wanted = &mut columns[..PairLoads::column_count(modes)];
-        let width = PairLoads::column_count(self.modes);
+        let width = PairLoads::column_count(table.modes);
         chebyshev::add_interpolant(&piece.coefficients, width, piece.relative(x), wanted);
         Ok(PairLoads::from_columns(modes, wanted))
     }
 
     fn error_estimate(&self, gap: Gap, _modes: usize) -> Result<f64, SceneError> {
-        let (piece, _) = self.piece(gap)?;
-        Ok(piece.error + self.interpolation_error)
+        let (piece, _) = self.table.piece(gap)?;
+        Ok(piece.error + self.table.interpolation_error)
     }
 
     fn noise(&self) -> f64 {
-        self.interpolation_error
+        self.table.interpolation_error
+    }
+
+    fn fingerprint(&self) -> String {
+        format!("table of {}", self.model.fingerprint())
     }
 }
 
