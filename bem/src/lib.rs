@@ -1,1 +1,44 @@
-//! bem
+//! Loads of two equal squirming spheres by the boundary element method.
+//!
+//! The Stokes flow about the spheres is written as a single layer over their surfaces,
+//!
+//! ```text
+//! u(x) = 1/(8 pi) Σ_spheres ∫ (I/r + r r/r³) f dS(y),   r = x - y, r = |r|,   viscosity 1, radius 1,
+//! ```
+//!
+//! after Pozrikidis, *Boundary Integral and Singularity Methods* (1992), chapters 4 and 5. `f` is the
+//! density of force on the fluid, so that the fluid's force on a sphere is `-∫ f dS` and its torque
+//! about the centre `-∫ (y - centre) x f dS`. The density is linear over each panel, the panels are
+//! exact spherical triangles, and the velocity is matched at the vertices.
+//!
+//! | module | what |
+//! |---|---|
+//! | [`mesh`] | triangulated spheres, finer towards the contact point, mirror-symmetric to the last bit |
+//! | [`quadrature`] | rules for far, near and touching panels |
+//! | [`surface`] | one meshed sphere: the velocity that its hat functions induce at a point |
+//! | [`pair`] | two spheres in the pair frame, split by symmetry into six small dense systems |
+//! | [`lab`] | any spheres anywhere, one dense system: squirmers that are free, or held |
+//! | [`model`] | [`Bem`], the model `gap -> loads` that scenes use |
+//!
+//! ```
+//! use bem::Bem;
+//! use scene::{Gap, Hydrodynamics};
+//! let loads = Bem::new(1)?.loads(Gap::new(1.0)?, 1)?;
+//! assert!((loads.xa.own() - 1.3685).abs() < 0.01);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod dense;
+mod error;
+pub mod lab;
+pub mod mesh;
+pub mod model;
+pub mod pair;
+pub mod quadrature;
+pub mod slip;
+pub mod surface;
+
+pub use error::BemError;
+pub use lab::{Body, Lab, Load, Motion};
+
+pub use model::Bem;

@@ -1,1 +1,27 @@
-//! compare
+//! Compares hydrodynamic models of two squirmers on the paper's encounters.
+
+mod case;
+pub mod cli;
+mod defaults;
+mod encounter;
+mod error;
+pub mod figures;
+mod full_report;
+mod method;
+mod model;
+mod numbers;
+mod output;
+mod pictures;
+mod progress;
+mod provenance;
+pub mod report;
+pub mod sweep;
+
+pub use case::{Approach, Case};
+pub use defaults::{Defaults, EncounterDefaults, OffsetDefaults};
+pub use encounter::{Encounter, EncounterRow, OffsetRow};
+pub use error::CompareError;
+pub use method::Method;
+pub use model::{BEM_TABLE_TOLERANCE, Model, ModelOptions};
+pub use numbers::{Numbers, parse_numbers};
+pub use output::{OutputFolder, csv_text};

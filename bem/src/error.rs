@@ -1,0 +1,54 @@
+//! What can fail in the boundary element method.
+
+/// Everything that this crate can refuse or fail at, with the offending numbers.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum BemError {
+    /// A refinement level that does not exist.
+    #[error("mesh level {level} is not allowed: levels are {lowest} to {highest}")]
+    Level {
+        /// The level asked for.
+        level: usize,
+        /// Lowest level.
+        lowest: usize,
+        /// Highest level.
+        highest: usize,
+    },
+    /// A mesh that should be its own mirror image is not.
+    #[error("the mesh is not mirror-symmetric: vertex {vertex} has no image")]
+    AsymmetricMesh {
+        /// Index of the vertex without an image.
+        vertex: usize,
+    },
+    /// The solution of a dense system does not satisfy it.
+    #[error(
+        "dense system of {unknowns} unknowns: relative residual {residual:e} above {allowed:e}"
+    )]
+    Residual {
+        /// Number of unknowns.
+        unknowns: usize,
+        /// Residual, relative to the right-hand side and the solution.
+        residual: f64,
+        /// Largest residual allowed.
+        allowed: f64,
+    },
+    /// Two spheres overlap or touch.
+    #[error(
+        "spheres {first} and {second} overlap: their centres are {distance} apart, more than 2 is needed"
+    )]
+    Overlap {
+        /// Index of the first sphere.
+        first: usize,
+        /// Index of the second sphere.
+        second: usize,
+        /// Distance of their centres, in radii.
+        distance: f64,
+    },
+    /// A list with an entry for each sphere has the wrong length.
+    #[error("{found} motions for {expected} spheres")]
+    Count {
+        /// Number of spheres.
+        expected: usize,
+        /// Number of entries found.
+        found: usize,
+    },
+}

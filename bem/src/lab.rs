@@ -1,0 +1,340 @@
+//! Spheres anywhere, in the laboratory's frame: one dense system, no symmetry used.
+//!
+//! Each sphere has its own mesh, whose refined pole is turned towards its nearest neighbour. The
+//! densities of the 6 rigid motions of each sphere and of the slip are solved for, which gives the
+//! resistance matrix R and the loads by slip; free motion V then follows from
+//! `R V + slip loads + external loads = 0`. This is the check on the pair frame: other equations, other
+//! meshes, slip solved for rather than by reciprocity.
+
+use nalgebra::{DMatrix, DVector, Unit, UnitQuaternion, Vector3};
+use rayon::prelude::*;
+
+use crate::dense::solve_all;
+use crate::model::mesh_family;
+use crate::surface::{Block, Profile, Surface, Target};
+use crate::{BemError, slip};
+
+/// Size of the rank-one term that fixes the multiple of the normal in each density.
+const DEFLATION: f64 = 0.16;
+
+/// A sphere of radius 1: a squirmer, or a rigid sphere if it has no modes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// Centre.
+    pub position: Vector3<f64>,
+    /// Unit orientation p.
+    pub orientation: Unit<Vector3<f64>>,
+    /// Squirming modes `B_1, B_2, ...`.
+    pub modes: Vec<f64>,
+    /// External force.
+    pub force: Vector3<f64>,
+    /// External torque.
+    pub torque: Vector3<f64>,
+    /// Rotation of the mesh, after its pole was turned towards the nearest neighbour.
+    pub mesh_rotation: UnitQuaternion<f64>,
+}
+
+impl Body {
+    /// A force-free squirmer.
+    #[must_use]
+    pub fn squirmer(position: Vector3<f64>, orientation: Vector3<f64>, modes: &[f64]) -> Self {
+        Self {
+            position,
+            orientation: Unit::new_normalize(orientation),
+            modes: modes.to_vec(),
+            force: Vector3::zeros(),
+            torque: Vector3::zeros(),
+            mesh_rotation: UnitQuaternion::identity(),
+        }
+    }
+
+    /// A force-free rigid sphere.
+    #[must_use]
+    pub fn rigid(position: Vector3<f64>) -> Self {
+        Self::squirmer(position, Vector3::z(), &[])
+    }
+
+    fn slip(&self, normal: &Vector3<f64>) -> Vector3<f64> {
+        (1..)
+            .zip(&self.modes)
+            .map(|(n, b)| slip::axisymmetric(n, &self.orientation, normal) * *b)
+            .sum()
+    }
+}
+
+/// Velocity and angular velocity of a sphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    /// Velocity of the centre.
+    pub velocity: Vector3<f64>,
+    /// Angular velocity.
+    pub angular_velocity: Vector3<f64>,
+}
+
+/// The fluid's force and torque on a sphere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Load {
+    /// Force.
+    pub force: Vector3<f64>,
+    /// Torque about the centre.
+    pub torque: Vector3<f64>,
+}
+
+/// Spheres in a fluid, solved.
+#[derive(Clone, Debug)]
+pub struct Lab {
+    /// Loads by unit motions, six columns a sphere: velocity, angular velocity.
+    loads_by_motion: DMatrix<f64>,
+    loads_by_slip: DVector<f64>,
+    external: DVector<f64>,
+}
+
+impl Lab {
+    /// Solves for the spheres `bodies` with meshes of refinement level `level`.
+    ///
+    /// # Errors
+    /// [`BemError::Overlap`] if two spheres overlap, [`BemError::Level`] for a level that does not
+    /// exist, [`BemError::Residual`] if the dense system could not be solved.
+    pub fn new(level: usize, bodies: &[Body]) -> Result<Self, BemError> {
+        let spheres = meshed(level, bodies)?;
+        let places: Vec<Place> = places(&spheres);
+        let rows: Vec<f64> = places
+            .par_iter()
+            .flat_map_iter(|place| rows(&spheres, place, places.len()))
+            .collect();
+        let densities = solve_all(&rows, &right_hand_sides(&spheres, &places))?;
+        let loads = |density: &Vec<f64>| loads(&spheres, &places, density);
+        let (by_slip, by_motion) = densities
+            .split_last()
+            .map_or((None, &[][..]), |(s, m)| (Some(s), m));
+        let columns: Vec<DVector<f64>> = by_motion.iter().map(loads).collect();
+        let external = bodies
+            .iter()
+            .flat_map(|b| b.force.iter().chain(b.torque.iter()).copied());
+        Ok(Self {
+            loads_by_motion: DMatrix::from_fn(6 * bodies.len(), columns.len(), |i, j| {
+                columns[j][i]
+            }),
+            loads_by_slip: by_slip.map_or_else(|| DVector::zeros(0), loads),
+            external: DVector::from_iterator(6 * bodies.len(), external),
+        })
+    }
+
+    /// How the spheres move, each free under its slip and its external force and torque.
+    ///
+    /// # Errors
+    /// [`BemError::Residual`] if the resistance matrix is singular, which it is not for a good mesh.
+    pub fn free_motions(&self) -> Result<Vec<Motion>, BemError> {
+        let resistance = -self.loads_by_motion.clone();
+        let unknowns = resistance.nrows();
+        let motions = resistance
+            .lu()
+            .solve(&(&self.loads_by_slip + &self.external))
+            .ok_or(BemError::Residual {
+                unknowns,
+                residual: f64::INFINITY,
+                allowed: 0.0,
+            })?;
+        Ok(vector_pairs(&motions)
+            .map(|(velocity, angular_velocity)| Motion {
+                velocity,
+                angular_velocity,
+            })
+            .collect())
+    }
+
+    /// The fluid's loads on the spheres, slip included, when they move as prescribed.
+    ///
+    /// # Errors
+    /// [`BemError::Count`] unless there is a motion for each sphere.
+    pub fn loads(&self, motions: &[Motion]) -> Result<Vec<Load>, BemError> {
+        let expected = self.external.len() / 6;
+        if motions.len() != expected {
+            return Err(BemError::Count {
+                expected,
+                found: motions.len(),
+            });
+        }
+        let values = motions
+            .iter()
+            .flat_map(|m| m.velocity.iter().chain(m.angular_velocity.iter()).copied());
+        let motion = DVector::from_iterator(6 * expected, values);
+        let loads = &self.loads_by_motion * motion + &self.loads_by_slip;
+        Ok(vector_pairs(&loads)
+            .map(|(force, torque)| Load { force, torque })
+            .collect())
+    }
+}
+
+fn vector_pairs(of: &DVector<f64>) -> impl Iterator<Item = (Vector3<f64>, Vector3<f64>)> + '_ {
+    let (sixes, _) = of.as_slice().as_chunks::<6>();
+    sixes
+        .iter()
+        .map(|&[a, b, c, d, e, f]| (Vector3::new(a, b, c), Vector3::new(d, e, f)))
+}
+
+/// A sphere with its mesh; `rotation` turns the mesh's frame into the laboratory's.
+struct Sphere<'a> {
+    body: &'a Body,
+    surface: Surface,
+    rotation: UnitQuaternion<f64>,
+}
+
+/// A vertex of a sphere, and its normal in the laboratory's frame.
+struct Place {
+    sphere: usize,
+    vertex: usize,
+    normal: Vector3<f64>,
+}
+
+fn meshed(level: usize, bodies: &[Body]) -> Result<Vec<Sphere<'_>>, BemError> {
+    bodies
+        .iter()
+        .enumerate()
+        .map(|(first, body)| {
+            let towards = nearest(first, bodies)?;
+            let gap = towards.map_or(f64::INFINITY, |(_, distance)| distance - 2.0);
+            let profile = towards.map_or(Profile::alone(), |_| Profile::beside_mirror_image(gap));
+            let mesh = mesh_family(level, gap)?.at(gap);
+            let turn = towards.map_or(UnitQuaternion::identity(), |(direction, _)| {
+                turned(&direction)
+            });
+            Ok(Sphere {
+                body,
+                surface: Surface::new((mesh.clone(), profile), (&mesh, profile)),
+                rotation: body.mesh_rotation * turn,
+            })
+        })
+        .collect()
+}
+
+/// Direction and distance of the nearest neighbour, if there is one.
+fn nearest(first: usize, bodies: &[Body]) -> Result<Option<(Vector3<f64>, f64)>, BemError> {
+    let mut found: Option<(Vector3<f64>, f64)> = None;
+    for (second, other) in bodies.iter().enumerate().filter(|&(k, _)| k != first) {
+        let direction = other.position - bodies[first].position;
+        let distance = direction.norm();
+        // Written so that NaN is refused.
+        if distance.partial_cmp(&2.0) != Some(std::cmp::Ordering::Greater) {
+            return Err(BemError::Overlap {
+                first,
+                second,
+                distance,
+            });
+        }
+        if found.is_none_or(|(_, nearest)| distance < nearest) {
+            found = Some((direction, distance));
+        }
+    }
+    Ok(found)
+}
+
+/// The rotation that turns z towards `direction`.
+fn turned(direction: &Vector3<f64>) -> UnitQuaternion<f64> {
+    UnitQuaternion::rotation_between(&Vector3::z(), direction).unwrap_or_else(|| {
+        UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI)
+    })
+}
+
+fn places(spheres: &[Sphere<'_>]) -> Vec<Place> {
+    let of = |(sphere, s): (usize, &Sphere<'_>)| -> Vec<Place> {
+        let vertices = s.surface.mesh().vertices.iter();
+        let place = |(vertex, v)| Place {
+            sphere,
+            vertex,
+            normal: s.rotation * v,
+        };
+        vertices.enumerate().map(place).collect()
+    };
+    spheres.iter().enumerate().flat_map(of).collect()
+}
+
+/// The three rows of a target.
+fn rows(spheres: &[Sphere<'_>], target: &Place, count: usize) -> Vec<f64> {
+    let mut rows = vec![0.0; 9 * count];
+    let mut offset = 0;
+    for (k, sphere) in spheres.iter().enumerate() {
+        let own = k == target.sphere;
+        let apart = spheres[target.sphere].body.position - sphere.body.position;
+        let point = if own {
+            sphere.surface.mesh().vertices[target.vertex]
+        } else {
+            sphere.rotation.inverse() * (target.normal + apart)
+        };
+        let mut blocks = vec![Block::default(); sphere.surface.mesh().vertices.len()];
+        let at = Target {
+            point,
+            reference: point,
+            vertex: own.then_some(target.vertex),
+        };
+        sphere.surface.add_row(&at, &mut blocks);
+        if own {
+            deflate(&sphere.surface, &point, &mut blocks);
+        }
+        let rotation = sphere.rotation.to_rotation_matrix();
+        for (v, block) in blocks.iter().enumerate() {
+            let local = nalgebra::Matrix3::from_fn(|a, c| block[a][c]);
+            let turned = rotation.matrix() * local * rotation.matrix().transpose();
+            for a in 0..3 {
+                for c in 0..3 {
+                    rows[a * 3 * count + 3 * (offset + v) + c] = turned[(a, c)];
+                }
+            }
+        }
+        offset += blocks.len();
+    }
+    rows
+}
+
+fn deflate(surface: &Surface, normal: &Vector3<f64>, blocks: &mut [Block]) {
+    for (v, block) in blocks.iter_mut().enumerate() {
+        let weights = surface.deflation(v) * DEFLATION;
+        for (a, row) in block.iter_mut().enumerate() {
+            for (c, slot) in row.iter_mut().enumerate() {
+                *slot += normal[a] * weights[c];
+            }
+        }
+    }
+}
+
+/// Velocities of all vertices by each unit motion of each sphere, and last by slip.
+fn right_hand_sides(spheres: &[Sphere<'_>], places: &[Place]) -> Vec<Vec<f64>> {
+    let mut all = Vec::with_capacity(6 * spheres.len() + 1);
+    for sphere in 0..spheres.len() {
+        for k in 0..6 {
+            let axis = Vector3::ith(k % 3, 1.0);
+            let velocity = |p: &Place| match (p.sphere == sphere, k < 3) {
+                (false, _) => Vector3::zeros(),
+                (true, true) => axis,
+                (true, false) => axis.cross(&p.normal),
+            };
+            all.push(flat(places, velocity));
+        }
+    }
+    all.push(flat(places, |p| spheres[p.sphere].body.slip(&p.normal)));
+    all
+}
+
+fn flat(places: &[Place], velocity: impl Fn(&Place) -> Vector3<f64>) -> Vec<f64> {
+    places
+        .iter()
+        .flat_map(|p| <[f64; 3]>::from(velocity(p)))
+        .collect()
+}
+
+/// Force and torque on each sphere, by a density.
+fn loads(spheres: &[Sphere<'_>], places: &[Place], density: &[f64]) -> DVector<f64> {
+    let mut loads = DVector::zeros(6 * spheres.len());
+    let (threes, _) = density.as_chunks::<3>();
+    for (place, &f) in places.iter().zip(threes) {
+        let sphere = &spheres[place.sphere];
+        let local = sphere.rotation.inverse() * Vector3::from(f);
+        let (force, torque) = sphere.surface.force_and_torque(place.vertex, &local);
+        let (force, torque) = (sphere.rotation * force, sphere.rotation * torque);
+        for a in 0..3 {
+            loads[6 * place.sphere + a] -= force[a];
+            loads[6 * place.sphere + 3 + a] -= torque[a];
+        }
+    }
+    loads
+}

@@ -1,0 +1,79 @@
+//! How large panels may be at an angle θ from the contact point.
+//!
+//! ```text
+//! 1/h(θ) = (1/h_far + 1/(slope (θ + sqrt(eps)))) / scale
+//! ```
+//!
+//! Near contact the loads live in a cap of angle `sqrt(eps)`, where the gap's width is
+//! `eps + θ²`; beyond it the pressure falls algebraically, so panels may grow in proportion to θ.
+//! `H(θ) = ∫ dθ/h` counts panels along a meridian.
+
+/// A size law for the edges of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grading {
+    /// Common factor of all lengths, which falls with the level.
+    pub scale: f64,
+    /// Edge length far from contact, for `scale` 1.
+    pub far: f64,
+    /// Edge length per angle near contact, for `scale` 1.
+    pub slope: f64,
+    /// `sqrt(eps)`, the angle of the cap in which the loads live; infinity for a uniform mesh.
+    pub cap: f64,
+}
+
+impl Grading {
+    /// Edge length at the angle `theta` from the contact point.
+    #[must_use]
+    pub fn size(&self, theta: f64) -> f64 {
+        self.scale / (1.0 / self.far + 1.0 / (self.slope * (theta + self.cap)))
+    }
+
+    /// `H(θ) = ∫₀^θ dθ/h`, the number of panels between the contact point and `theta`.
+    #[must_use]
+    pub fn panels(&self, theta: f64) -> f64 {
+        let near = if self.cap.is_finite() {
+            (theta / self.cap).ln_1p() / self.slope
+        } else {
+            0.0
+        };
+        (theta / self.far + near) / self.scale
+    }
+
+    /// The angle up to which the share `share` of all panels of a meridian lies.
+    ///
+    /// Newton's method from the contact point: `H` is concave and rising, so steps never overshoot.
+    #[must_use]
+    pub fn angle_of_share(&self, share: f64) -> f64 {
+        let target = share * self.panels(std::f64::consts::PI);
+        let mut theta = 0.0;
+        for _ in 0..100 {
+            let step = (target - self.panels(theta)) * self.size(theta);
+            theta += step;
+            if step.abs() <= 1e-15 * theta {
+                break;
+            }
+        }
+        theta
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angle_of_share_inverts_the_count_of_panels() {
+        for cap in [0.01, 0.3, f64::INFINITY] {
+            let law = Grading {
+                scale: 0.7,
+                far: 0.3,
+                slope: 0.25,
+                cap,
+            };
+            for theta in [1e-3, 0.1, 1.0, 3.0] {
+                let share = law.panels(theta) / law.panels(std::f64::consts::PI);
+                approx::assert_relative_eq!(law.angle_of_share(share), theta, epsilon = 1e-12);
+            }
+        }
+    }
+}

@@ -1,0 +1,228 @@
+//! Right-hand sides, solves and loads in the pair frame. Signs are those of [`scene::loads`].
+//!
+//! Only rigid motions are solved. The loads of slip follow from the reciprocal theorem (Stone & Samuel,
+//! *Phys. Rev. Lett.* 77 (1996) 4102): with the traction `-f` (up to a constant pressure, which
+//! tangential slip does not see) of a rigid motion U, Ω,
+//!
+//! ```text
+//! F.U + T.Ω = -∫ u_slip.f dS.
+//! ```
+//!
+//! With the swap, sphere 2 does the mirror image of sphere 1 (or its opposite), and the load on
+//! sphere 1 is the sum or the difference of the scalars for itself and for the other one: transverse
+//! forces and axial torques add up for the mirror image, axial forces and transverse torques, which
+//! the mirror reverses, for its opposite.
+
+use std::f64::consts::PI;
+use std::time::Instant;
+
+use nalgebra::Vector3;
+use rayon::prelude::*;
+use scene::{PairLoads, SelfOther};
+
+use super::assembly::{Class, assemble};
+use super::parity::{Motion, Parity, Swap};
+use crate::dense::solve_all;
+use crate::mesh::MeshFamily;
+use crate::surface::{Profile, Surface};
+use crate::{BemError, slip};
+
+/// Wall-clock time of the two parts of a solve, in seconds.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Seconds {
+    /// Quadrature and assembly.
+    pub assembly: f64,
+    /// Factorisation and back-substitution.
+    pub solve: f64,
+}
+
+/// Loads of a pair at one gap, and what they took.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PairSolution {
+    /// The loads.
+    pub loads: PairLoads,
+    /// Vertices on each sphere.
+    pub vertices: usize,
+    /// Dense systems factorised.
+    pub solves: usize,
+    /// What it took.
+    pub seconds: Seconds,
+}
+
+/// Beyond this the spheres are alone to rounding; it keeps squares finite.
+const FARTHEST: f64 = 1e15;
+
+/// The loads at the gap `eps`, with the meshes of `family` and squirming modes 1 to `modes`.
+///
+/// # Errors
+/// [`BemError::Residual`] if a dense system could not be solved.
+pub fn solve(family: &MeshFamily, eps: f64, modes: usize) -> Result<PairSolution, BemError> {
+    let start = Instant::now();
+    let eps = eps.min(FARTHEST);
+    let reference = family.at(family.smallest);
+    let surface = Surface::new(
+        (family.at(eps), Profile::beside_mirror_image(eps)),
+        (&reference, Profile::beside_mirror_image(family.smallest)),
+    );
+    let orbits = family.orbits();
+    let classes = Parity::ALL.map(|parity| Class::new(parity, surface.mesh(), orbits));
+    let matrices = assemble(
+        &surface,
+        &reference,
+        orbits,
+        &classes,
+        2.0 + eps,
+        2.0 + family.smallest,
+    );
+    let assembly = start.elapsed().as_secs_f64();
+    let solved = classes
+        .par_iter()
+        .zip(matrices)
+        .map(|(class, matrix)| class.responses(&matrix, &surface, family, modes))
+        .collect::<Result<Vec<_>, _>>()?;
+    Ok(PairSolution {
+        loads: collect(&solved, modes),
+        vertices: family.vertex_count(),
+        solves: classes.len(),
+        seconds: Seconds {
+            assembly,
+            solve: start.elapsed().as_secs_f64() - assembly,
+        },
+    })
+}
+
+/// What the density of a rigid motion tells.
+#[derive(Clone, Debug, Default)]
+struct Response {
+    /// Force on sphere 1 along the direction that the class allows.
+    force: f64,
+    /// Torque on sphere 1 likewise.
+    torque: f64,
+    /// By the reciprocal theorem, the load that each mode's slip exerts along the rigid motion.
+    slip: Vec<f64>,
+}
+
+impl Class {
+    /// Responses to the translation and the rotation of the class, those that it has.
+    fn responses(
+        &self,
+        matrix: &[f64],
+        surface: &Surface,
+        family: &MeshFamily,
+        modes: usize,
+    ) -> Result<Vec<Response>, BemError> {
+        let orbits = family.orbits();
+        let points: Vec<(Vector3<f64>, usize)> = self
+            .unknowns
+            .iter()
+            .map(|&(j, c)| (surface.mesh().vertices[orbits.representatives[j]], c))
+            .collect();
+        let right: Vec<Vec<f64>> = rigid_motions(self.parity.motion)
+            .iter()
+            .map(|u| points.iter().map(|(normal, c)| u(normal)[*c]).collect())
+            .collect();
+        let densities = solve_all(matrix, &right)?;
+        let slips = slips(self.parity.motion, modes, surface);
+        Ok(densities
+            .iter()
+            .map(|density| self.response(density, &slips, surface, family))
+            .collect())
+    }
+
+    fn response(
+        &self,
+        density: &[f64],
+        slips: &[Vec<Vector3<f64>>],
+        surface: &Surface,
+        family: &MeshFamily,
+    ) -> Response {
+        let orbits = family.orbits();
+        let mut force = Vector3::zeros();
+        let mut torque = Vector3::zeros();
+        let mut slip = vec![0.0; slips.len()];
+        for (&(j, c), &value) in self.unknowns.iter().zip(density) {
+            let vertex = orbits.representatives[j];
+            let mut f = Vector3::zeros();
+            f[c] = -value * orbits.sizes[j] as f64;
+            let (df, dt) = surface.force_and_torque(vertex, &f);
+            force += df;
+            torque += dt;
+            for (sum, weights) in slip.iter_mut().zip(slips) {
+                *sum += weights[vertex].dot(&f);
+            }
+        }
+        // Other components cancel over an orbit.
+        let (force, torque) = match self.parity.motion {
+            Motion::Axial => (force.z, 0.0),
+            Motion::Transverse => (force.x, torque.y),
+            Motion::Twist => (0.0, torque.z),
+        };
+        Response {
+            force,
+            torque,
+            slip,
+        }
+    }
+}
+
+type Velocity = fn(&Vector3<f64>) -> Vector3<f64>;
+
+/// Velocities of sphere 1's surface, in the order of [`Class::responses`].
+fn rigid_motions(motion: Motion) -> &'static [Velocity] {
+    match motion {
+        Motion::Axial => &[|_| Vector3::z()],
+        Motion::Transverse => &[|_| Vector3::x(), |normal| Vector3::y().cross(normal)],
+        Motion::Twist => &[|normal| Vector3::z().cross(normal)],
+    }
+}
+
+/// Slip of each mode, integrated with the hat functions.
+fn slips(motion: Motion, modes: usize, surface: &Surface) -> Vec<Vec<Vector3<f64>>> {
+    let (d, t) = (Vector3::z(), Vector3::x());
+    (1..=modes)
+        .filter_map(|n| match motion {
+            Motion::Axial => Some(surface.tangential_part(|y| slip::axisymmetric(n, &d, y))),
+            Motion::Transverse => Some(surface.tangential_part(|y| slip::transverse(n, &d, &t, y))),
+            Motion::Twist => None,
+        })
+        .collect()
+}
+
+/// The scalars of self and other from the two swaps, in the order of [`Parity::ALL`].
+fn collect(solved: &[Vec<Response>], modes: usize) -> PairLoads {
+    let of = |motion: Motion, swap: Swap| {
+        let parity = Parity { motion, swap };
+        let place = Parity::ALL.iter().position(|&p| p == parity);
+        &solved[place.unwrap_or(0)]
+    };
+    let scalar = |motion, adds: Swap, column: usize, unit: f64, part: &dyn Fn(&Response) -> f64| {
+        let (mirrored, opposite) = (of(motion, Swap::Mirrored), of(motion, Swap::Opposite));
+        let (mirrored, opposite) = (part(&mirrored[column]), part(&opposite[column]));
+        match adds {
+            Swap::Mirrored => SelfOther {
+                sum: mirrored / unit,
+                difference: opposite / unit,
+            },
+            Swap::Opposite => SelfOther {
+                sum: opposite / unit,
+                difference: mirrored / unit,
+            },
+        }
+    };
+    let (force, torque) = (&|r: &Response| r.force, &|r: &Response| r.torque);
+    use Motion::{Axial, Transverse, Twist};
+    use Swap::{Mirrored, Opposite};
+    let mut loads = PairLoads::zero(modes);
+    loads.xa = scalar(Axial, Opposite, 0, -6.0 * PI, force);
+    loads.ya = scalar(Transverse, Mirrored, 0, -6.0 * PI, force);
+    loads.yb = scalar(Transverse, Mirrored, 1, 4.0 * PI, force);
+    loads.yc = scalar(Transverse, Opposite, 1, -8.0 * PI, torque);
+    loads.xc = scalar(Twist, Mirrored, 0, -8.0 * PI, torque);
+    for (k, mode) in loads.modes_mut().iter_mut().enumerate() {
+        let slip = &|r: &Response| r.slip[k];
+        mode.xf = scalar(Axial, Opposite, 0, PI, slip);
+        mode.yf = scalar(Transverse, Mirrored, 0, PI, slip);
+        mode.yt = scalar(Transverse, Opposite, 1, PI, slip);
+    }
+    loads
+}

@@ -1,0 +1,100 @@
+//! Parities of a vector field under the mirrors x, y and the swap of the spheres.
+//!
+//! A field of parity s under a mirror R satisfies `f(R y) = s R f(y)`. A translation along x has
+//! parity -1 under `x -> -x`, and so has a rotation about y or z.
+
+use crate::mesh::Image;
+
+/// What sphere 1 does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motion {
+    /// Translation along the line of centres, z, and axisymmetric slip.
+    Axial,
+    /// Translation along x and rotation about y, and slip of azimuthal order 1.
+    Transverse,
+    /// Rotation about the line of centres.
+    Twist,
+}
+
+/// What sphere 2 does: the mirror image of what sphere 1 does, or its opposite.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Swap {
+    /// The mirror image.
+    Mirrored,
+    /// Minus the mirror image.
+    Opposite,
+}
+
+/// A symmetry class of the pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Parity {
+    /// What sphere 1 does.
+    pub motion: Motion,
+    /// What sphere 2 does.
+    pub swap: Swap,
+}
+
+impl Parity {
+    /// The six classes that carry load.
+    pub const ALL: [Self; 6] = {
+        use Motion::{Axial, Transverse, Twist};
+        use Swap::{Mirrored, Opposite};
+        [
+            Self::of(Axial, Mirrored),
+            Self::of(Axial, Opposite),
+            Self::of(Transverse, Mirrored),
+            Self::of(Transverse, Opposite),
+            Self::of(Twist, Mirrored),
+            Self::of(Twist, Opposite),
+        ]
+    };
+
+    const fn of(motion: Motion, swap: Swap) -> Self {
+        Self { motion, swap }
+    }
+
+    /// Signs under the mirrors x and y.
+    fn mirrors(self) -> [f64; 2] {
+        match self.motion {
+            Motion::Axial => [1.0, 1.0],
+            Motion::Transverse => [-1.0, 1.0],
+            Motion::Twist => [-1.0, -1.0],
+        }
+    }
+
+    /// Signs of the three components of the field at an image, relative to the representative.
+    pub(crate) fn signs(self, image: &Image) -> [f64; 3] {
+        let [x, y] = self.mirrors();
+        let mut signs = [1.0; 3];
+        for (mirrored, axis, parity) in [(image.mirror_x, 0, x), (image.mirror_y, 1, y)] {
+            if mirrored {
+                signs = signs.map(|s| s * parity);
+                signs[axis] = -signs[axis];
+            }
+        }
+        signs
+    }
+
+    /// Signs of the three components on sphere 2, relative to the mirrored point of sphere 1.
+    pub(crate) fn swap_signs(self) -> [f64; 3] {
+        match self.swap {
+            Swap::Mirrored => [1.0, 1.0, -1.0],
+            Swap::Opposite => [-1.0, -1.0, 1.0],
+        }
+    }
+
+    /// Which components may differ from zero at a point on the planes `x = 0` or `y = 0`.
+    pub(crate) fn allowed(self, on_x: bool, on_y: bool) -> [bool; 3] {
+        let [x, y] = self.mirrors();
+        let mut allowed = [true; 3];
+        for (on_plane, axis, parity) in [(on_x, 0, x), (on_y, 1, y)] {
+            if on_plane {
+                for (component, keep) in allowed.iter_mut().enumerate() {
+                    // An even field has no normal component there, an odd one only that.
+                    *keep &= (component == axis) == (parity < 0.0);
+                }
+            }
+        }
+        allowed
+    }
+}

@@ -1,0 +1,91 @@
+//! Slip velocity of squirming modes on the unit sphere.
+//!
+//! `u_s = Σ B_n W_n(c) (c n - p)`, `W_n = 2 P_n'(c)/(n (n+1))`, `c = p.n`, is minus the surface gradient
+//! of `Σ B_n 2/(n (n+1)) P_n(c)` (Blake, *J. Fluid Mech.* 46 (1971) 199). The addition theorem splits
+//! `P_n(p.n)` into azimuthal parts about an axis d; those that carry load are
+//!
+//! ```text
+//! m = 0:  P_n(p.d) P_n(n.d),          m = 1:  W_n(p.d) P_n'(n.d) (n.p_t),   p_t = p - (p.d) d.
+//! ```
+
+use nalgebra::Vector3;
+
+/// `P_n(c)` and its first two derivatives.
+#[must_use]
+pub fn legendre(n: usize, c: f64) -> [f64; 3] {
+    let (mut before, mut now) = ([0.0; 3], [1.0, 0.0, 0.0]);
+    for k in 0..n {
+        let k = k as f64;
+        let next = |i: usize| {
+            // Derivatives of (k+1) P_{k+1} = (2k+1) c P_k - k P_{k-1}.
+            let lower = if i > 0 { i as f64 * now[i - 1] } else { 0.0 };
+            ((2.0 * k + 1.0) * (c * now[i] + lower) - k * before[i]) / (k + 1.0)
+        };
+        (before, now) = (now, [next(0), next(1), next(2)]);
+    }
+    now
+}
+
+fn factor(n: usize) -> f64 {
+    2.0 / (n * (n + 1)) as f64
+}
+
+/// Slip at the unit normal `normal` of the mode `n` of a squirmer with unit orientation `p`.
+#[must_use]
+pub fn axisymmetric(n: usize, p: &Vector3<f64>, normal: &Vector3<f64>) -> Vector3<f64> {
+    let c = p.dot(normal);
+    (normal * c - p) * (factor(n) * legendre(n, c)[1])
+}
+
+/// Slip at `normal` of the azimuthal part m = 1 of the mode `n`, per `W_n(p.d)`, for `p_t = t`.
+#[must_use]
+pub fn transverse(
+    n: usize,
+    d: &Vector3<f64>,
+    t: &Vector3<f64>,
+    normal: &Vector3<f64>,
+) -> Vector3<f64> {
+    let (c, across) = (normal.dot(d), normal.dot(t));
+    let [_, first, second] = legendre(n, c);
+    ((normal * c - d) * (second * across) + (normal * across - t) * first) * factor(n)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn first_mode_is_the_same_in_every_azimuthal_part() {
+        let (d, t) = (Vector3::z(), Vector3::x());
+        let normal = Vector3::new(0.48, 0.6, 0.64);
+        assert!((transverse(1, &d, &t, &normal) - axisymmetric(1, &t, &normal)).norm() < 1e-15);
+    }
+
+    #[test]
+    fn azimuthal_parts_add_up_to_the_slip_averaged_over_the_others() {
+        // For p in the plane of d and t, averaging u against cos(phi) leaves m = 1 alone.
+        let (d, t, n) = (Vector3::z(), Vector3::x(), 4);
+        let (theta, tilt) = (0.7f64, 1.1f64);
+        let p = Vector3::new(tilt.sin(), 0.0, tilt.cos());
+        let count = 32;
+        let mut found = 0.0;
+        let mut expected = 0.0;
+        for k in 0..count {
+            let phi = std::f64::consts::TAU * f64::from(k) / f64::from(count);
+            let normal = Vector3::new(
+                theta.sin() * phi.cos(),
+                theta.sin() * phi.sin(),
+                theta.cos(),
+            );
+            let along = Vector3::new(
+                theta.cos() * phi.cos(),
+                theta.cos() * phi.sin(),
+                -theta.sin(),
+            );
+            found += axisymmetric(n, &p, &normal).dot(&along) * phi.cos();
+            let weight = factor(n) * legendre(n, tilt.cos())[1] * tilt.sin();
+            expected += weight * transverse(n, &d, &t, &normal).dot(&along) * phi.cos();
+        }
+        approx::assert_relative_eq!(found, expected, max_relative = 1e-12);
+    }
+}

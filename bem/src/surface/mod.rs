@@ -1,0 +1,255 @@
+//! One meshed unit sphere: the velocity that its linear densities induce at a point.
+//!
+//! For the hat function of vertex v (1 there, 0 at the others, linear over each panel) and a target x,
+//!
+//! ```text
+//! S_v(x) = 1/(8 pi) ∫ (I/r + r r/r³) T_v(y) hat_v(y) dS(y),   r = x - y,
+//! T_v(y) = I + (n(y) φ(y)/φ(v) - n_v) n_v,
+//! ```
+//!
+//! so that the part of the density along the normal turns with the normal, and is interpolated
+//! relative to the pressure's own [`Profile`] φ: in a narrow gap the pressure is of size `1/eps²`, and
+//! squeeze flow is what little is left after the two spheres' contributions cancel.
+
+mod kernel;
+mod panel;
+mod profile;
+
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+use crate::mesh::Mesh;
+use crate::quadrature::{
+    ORDERS, Point, TOLERANCE, corner_rule, order_for, order_limits, product_rule,
+};
+use kernel::{RUNS, Sums};
+use panel::Panel;
+
+pub use profile::Profile;
+
+/// Points of the rule for a target at a corner, along its rays and across them.
+const CORNER: (usize, usize) = (7, 12);
+const CORNER_POINTS: usize = CORNER.0 * CORNER.1;
+
+/// Place of the rule for smooth functions: 16 points, degree 7.
+const SMOOTH: usize = 2;
+
+/// Deepest division of a panel near a target.
+const DEEPEST: usize = 40;
+
+/// `S_v(x)`, row by row.
+pub type Block = [[f64; 3]; 3];
+
+/// A point mirrored in the plane between two spheres whose centres are `distance` apart.
+#[must_use]
+pub fn mirrored_z(point: &Vector3<f64>, distance: f64) -> Vector3<f64> {
+    Vector3::new(point.x, point.y, distance - point.z)
+}
+
+/// A point at which the velocity is wanted.
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
+    /// The point, relative to the sphere's centre.
+    pub point: Vector3<f64>,
+    /// Where it is in the reference geometry, which decides how many points each panel gets.
+    pub reference: Vector3<f64>,
+    /// The vertex that it is, if it is one.
+    pub vertex: Option<usize>,
+}
+
+/// `∫ hat`, `∫ y hat`, `∫ φ hat` and `∫ y φ hat` over the surface, for one vertex.
+#[derive(Clone, Copy, Debug, Default)]
+struct HatIntegrals {
+    area: f64,
+    moment: Vector3<f64>,
+    profile: f64,
+    profile_moment: Vector3<f64>,
+}
+
+/// A meshed unit sphere with its quadrature points.
+///
+/// Rules are chosen by a reference mesh of the same topology, so that for meshes of one family
+/// each integral is a smooth function of the gap: no rule switches as the gap changes.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    mesh: Mesh,
+    panels: Vec<Panel>,
+    /// For each order, the quadrature points of all panels, see [`Panel::fill`].
+    points: Vec<Vec<f64>>,
+    rules: Vec<Vec<Point>>,
+    corner: Vec<Point>,
+    limits: Vec<f64>,
+    profile: Profile,
+    reference_profile: Profile,
+    hats: Vec<HatIntegrals>,
+}
+
+impl Surface {
+    /// The sphere with a mesh and a profile, with rules chosen on `reference`, accurate to [`TOLERANCE`].
+    #[must_use]
+    pub fn new(geometry: (Mesh, Profile), reference: (&Mesh, Profile)) -> Self {
+        Self::with_tolerance(geometry, reference, TOLERANCE)
+    }
+
+    /// The same with integrals of relative error `tolerance` over each panel.
+    #[must_use]
+    pub fn with_tolerance(
+        geometry: (Mesh, Profile),
+        reference: (&Mesh, Profile),
+        tolerance: f64,
+    ) -> Self {
+        let mesh = geometry.0;
+        let rules: Vec<Vec<Point>> = ORDERS.map(product_rule).collect();
+        let panels: Vec<Panel> = mesh
+            .triangles
+            .iter()
+            .map(|&t| Panel::new(t, mesh.corners(t), reference.0.corners(t)))
+            .collect();
+        let points = rules
+            .par_iter()
+            .map(|rule| {
+                let mut all = vec![0.0; RUNS * rule.len() * panels.len()];
+                for (panel, slots) in panels.iter().zip(all.chunks_exact_mut(RUNS * rule.len())) {
+                    panel.fill(rule, &geometry.1, slots);
+                }
+                all
+            })
+            .collect();
+        let mut surface = Self {
+            hats: vec![HatIntegrals::default(); mesh.vertices.len()],
+            profile: geometry.1,
+            reference_profile: reference.1,
+            mesh,
+            panels,
+            points,
+            rules,
+            corner: corner_rule(CORNER.0, CORNER.1),
+            limits: order_limits(tolerance),
+        };
+        surface.integrate_hats();
+        surface
+    }
+
+    /// The mesh.
+    #[must_use]
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    /// The functional that is to vanish, so that the multiple of the normal in the density is fixed:
+    /// `((1 - z)/2)² ∫ n.T_v f hat_v dS` for the density f at vertex v, as a vector to multiply f with.
+    ///
+    /// It measures away from the gap: else the pressure there would raise that everywhere else.
+    #[must_use]
+    pub fn deflation(&self, v: usize) -> Vector3<f64> {
+        // n.(f + (n φ/φ_v - n_v)(n_v.f)) = n.f + (φ/φ_v - n.n_v)(n_v.f).
+        let (hat, normal) = (&self.hats[v], self.mesh.vertices[v]);
+        let along = hat.profile / self.profile.at(&normal) - hat.moment.dot(&normal);
+        (hat.moment + normal * along) * (0.5 * (1.0 - normal.z)).powi(2)
+    }
+
+    /// Force and torque on the fluid, `∫ T_v f hat_v dS` and `∫ y x T_v f hat_v dS`, by the density f
+    /// at vertex v.
+    #[must_use]
+    pub fn force_and_torque(&self, v: usize, f: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
+        let (hat, normal) = (&self.hats[v], self.mesh.vertices[v]);
+        let along = normal.dot(f);
+        let turned = hat.profile_moment / self.profile.at(&normal) - normal * hat.area;
+        let force = f * hat.area + turned * along;
+        (force, hat.moment.cross(&(f - normal * along)))
+    }
+
+    /// `∫ u.T_v f hat_v dS` for the density f at each vertex v and a tangential velocity u given at
+    /// the unit normal, as vectors to multiply f with.
+    #[must_use]
+    pub fn tangential_part(&self, u: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Vec<Vector3<f64>> {
+        let mut sums = vec![Vector3::zeros(); self.mesh.vertices.len()];
+        for panel in &self.panels {
+            for point in &self.rules[SMOOTH] {
+                let (position, area) = panel.at(point);
+                let velocity = u(&position) * area;
+                for (&v, hat) in panel.vertices.iter().zip(point.hats) {
+                    sums[v] += velocity * hat;
+                }
+            }
+        }
+        // u.(f + (n φ/φ_v - n_v)(n_v.f)) = u.f - (u.n_v)(n_v.f), since u.n = 0.
+        let along = |(sum, normal): (Vector3<f64>, &Vector3<f64>)| sum - normal * normal.dot(&sum);
+        sums.into_iter()
+            .zip(&self.mesh.vertices)
+            .map(along)
+            .collect()
+    }
+
+    fn integrate_hats(&mut self) {
+        let rule = &self.rules[self.rules.len() - 1];
+        for panel in &self.panels {
+            for point in rule {
+                let (position, area) = panel.at(point);
+                let profile = self.profile.at(&position);
+                for (&v, value) in panel.vertices.iter().zip(point.hats) {
+                    let hat = &mut self.hats[v];
+                    hat.area += area * value;
+                    hat.moment += position * (area * value);
+                    hat.profile += area * value * profile;
+                    hat.profile_moment += position * (area * value * profile);
+                }
+            }
+        }
+    }
+
+    /// Adds `S_v(target)` to `row[v]` for every vertex v.
+    pub fn add_row(&self, target: &Target, row: &mut [Block]) {
+        let mut block = [0.0; RUNS * CORNER_POINTS];
+        for (index, panel) in self.panels.iter().enumerate() {
+            let mut sums = [[0.0; 9]; 3];
+            let corner = target
+                .vertex
+                .and_then(|v| panel.vertices.iter().position(|&w| w == v));
+            if let Some(corner) = corner {
+                panel.fill_from_corner(&self.corner, corner, &self.profile, &mut block);
+                kernel::add::<CORNER_POINTS>(&block, &target.point, &mut sums);
+            } else if let Some(order) = order_for(
+                &self.limits,
+                panel.distance(&target.reference, &self.reference_profile),
+            ) {
+                let length = RUNS * order * order;
+                let points = &self.points[order - ORDERS.start()];
+                let points = &points[index * length..(index + 1) * length];
+                kernel::add_order(order, points, &target.point, &mut sums);
+            } else {
+                self.add_near(panel, target, 0, &mut block, &mut sums);
+            }
+            for (&v, sum) in panel.vertices.iter().zip(&sums) {
+                let normal = &self.mesh.vertices[v];
+                kernel::add_block(sum, normal, self.profile.at(normal), &mut row[v]);
+            }
+        }
+    }
+
+    /// Divides a panel in four until each part is far enough from the target.
+    fn add_near(
+        &self,
+        panel: &Panel,
+        target: &Target,
+        depth: usize,
+        block: &mut [f64],
+        sums: &mut [Sums; 3],
+    ) {
+        for part in panel.quarters() {
+            let order = order_for(
+                &self.limits,
+                part.distance(&target.reference, &self.reference_profile),
+            );
+            match order {
+                None if depth < DEEPEST => self.add_near(&part, target, depth + 1, block, sums),
+                _ => {
+                    let order = order.unwrap_or(*ORDERS.end());
+                    let block = &mut block[..RUNS * order * order];
+                    part.fill(&self.rules[order - ORDERS.start()], &self.profile, block);
+                    kernel::add_order(order, block, &target.point, sums);
+                }
+            }
+        }
+    }
+}

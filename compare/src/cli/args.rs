@@ -1,0 +1,133 @@
+//! The command line as it is typed.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::Method;
+use crate::numbers::{Numbers, parse_numbers};
+
+/// Two squirming spheres in a Stokes fluid: lubrication theory against full hydrodynamics.
+///
+/// Lengths are in sphere radii a, times in a/V_s, angles in degrees. Lists are numbers with commas,
+/// and ranges a:b:step. Each command writes DIR/<command>.csv and its pictures.
+#[derive(Debug, Parser)]
+#[command(
+    name = "squirmers",
+    version,
+    arg_required_else_help = true,
+    subcommand_required = true,
+    after_help = "Example:\n  squirmers report --out out      every comparison, as one web page"
+)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+    /// Folder for results
+    #[arg(long, global = true, value_name = "DIR", default_value = "out")]
+    pub out: PathBuf,
+    /// Threads to use [default: all]
+    #[arg(long, global = true, value_name = "N")]
+    pub threads: Option<usize>,
+    /// Folder in which tables are kept for the next run [default: the user's cache folder]
+    #[arg(long, global = true, value_name = "DIR")]
+    pub cache: Option<PathBuf>,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Loads of the pair at given gaps: resistance scalars and loads of squirming modes 1 and 2
+    #[command(
+        after_help = "Example:\n  squirmers loads --gap 1,0.1,0.01 --method lt,bem --direct"
+    )]
+    Loads {
+        /// Gaps eps = |x2-x1|/a - 2, each greater than 0
+        #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
+        gap: Numbers,
+        #[command(flatten)]
+        models: ModelArguments,
+    },
+    /// Opposed approach (Fig. 6): from (-dx/2, 5) downwards and (dx/2, -5) upwards
+    #[command(after_help = "Example:\n  squirmers head-on --beta 5 --dx 1,2,3,5,10 --method lt")]
+    HeadOn(EncounterArguments),
+    /// Approach at right angles (Fig. 7): from (0, 10) along x and (10 - dx, 0) along y
+    #[command(after_help = "Example:\n  squirmers orthogonal --beta -1,1,5 --dx 1,2,3,5")]
+    Orthogonal(EncounterArguments),
+    /// Change of the outgoing angles by an offset out of the plane (Fig. 5b)
+    #[command(after_help = "Example:\n  squirmers offset --dz 0:0.5:0.1 --method lt,bem")]
+    Offset {
+        /// Offsets: the first squirmer is raised by dz/2, the second lowered [default: the paper's]
+        #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
+        dz: Option<Numbers>,
+        #[command(flatten)]
+        models: ModelArguments,
+        #[command(flatten)]
+        runs: RunArguments,
+    },
+    /// All of it, with the paper's cases, into one self-contained index.html
+    #[command(after_help = "Example:\n  squirmers report --out out && xdg-open out/index.html")]
+    Report {
+        #[command(flatten)]
+        models: ModelArguments,
+        #[command(flatten)]
+        runs: RunArguments,
+    },
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct EncounterArguments {
+    /// Squirmer parameters B2/B1 [default: the paper's]
+    #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
+    pub beta: Option<Numbers>,
+    /// Offsets of the paths [default: the paper's]
+    #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
+    pub dx: Option<Numbers>,
+    /// Offsets out of the plane: the first is raised by dz/2, the second lowered [default: 0]
+    #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
+    pub dz: Option<Numbers>,
+    #[command(flatten)]
+    pub models: ModelArguments,
+    #[command(flatten)]
+    pub runs: RunArguments,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ModelArguments {
+    /// Methods: lt (as published), lt-corrected, bem [default: lt,bem]
+    #[arg(long, value_name = "LIST", value_parser = parse_methods)]
+    pub method: Option<Methods>,
+    /// Refinement level of the boundary elements
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    pub mesh: Option<usize>,
+    /// Solve for every load instead of reading it from a table
+    #[arg(long)]
+    pub direct: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct RunArguments {
+    /// Tolerance of a trajectory's steps
+    #[arg(long, value_name = "TOL", default_value_t = 1e-8, allow_hyphen_values = true)]
+    pub tol: f64,
+    /// Begin no further run after this time; those left out are reported
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    pub time_limit: Option<f64>,
+}
+
+/// A list of methods, not empty, none twice.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Methods(pub Vec<Method>);
+
+fn parse_methods(text: &str) -> Result<Methods, String> {
+    let mut methods = Vec::new();
+    for name in text.split(',') {
+        let method = Method::ALL.into_iter().find(|m| m.name() == name.trim());
+        let method = method.ok_or_else(|| {
+            let known: Vec<_> = Method::ALL.iter().map(|m| m.name()).collect();
+            format!("'{name}' is not a method: use {}", known.join(", "))
+        })?;
+        if !methods.contains(&method) {
+            methods.push(method);
+        }
+    }
+    Ok(Methods(methods))
+}

@@ -1,0 +1,319 @@
+//! The commands, from checked arguments to files.
+
+use std::time::Duration;
+
+use comfy_table::{CellAlignment, Table, presets};
+use scene::{Gap, Hydrodynamics, RunOptions};
+use serde::Serialize;
+
+use super::args::{Arguments, Command, EncounterArguments, ModelArguments, RunArguments};
+use crate::numbers::Numbers;
+use crate::output::{OutputFolder, csv_text};
+use crate::sweep::SweepOptions;
+use crate::{Approach, Case, CompareError, Defaults, Encounter, Method, Model, ModelOptions};
+use crate::{full_report, pictures, sweep};
+
+/// Squirming modes that `loads` prints.
+const LOADS_MODES: usize = 2;
+
+/// Time between samples of recorded trajectories, in `a/V_s`.
+const SAMPLE_INTERVAL: f64 = 0.05;
+
+pub(super) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), CompareError> {
+    match &arguments.command {
+        Command::Loads { gap, models } => loads(gap, models, arguments),
+        Command::HeadOn(encounters) => encounter(Approach::HeadOn, encounters, arguments),
+        Command::Orthogonal(encounters) => encounter(Approach::Orthogonal, encounters, arguments),
+        Command::Offset { dz, models, runs } => offset(dz.as_ref(), models, runs, arguments),
+        Command::Report { models, runs } => {
+            let (methods, options) = model_options(models, arguments)?;
+            let sweep = sweep_options(runs)?;
+            let out = OutputFolder::open(&arguments.out)?;
+            let path = full_report::write(&methods, &options, &sweep, &out, typed)?;
+            println!("{}", path.display());
+            Ok(())
+        }
+    }
+}
+
+/// Checks the methods and what they need.
+fn model_options(
+    arguments: &ModelArguments,
+    general: &Arguments,
+) -> Result<(Vec<Method>, ModelOptions), CompareError> {
+    let methods = (arguments.method.as_ref()).map_or(Method::DEFAULT.to_vec(), |m| m.0.clone());
+    let mut options = ModelOptions {
+        direct: arguments.direct,
+        ..ModelOptions::default()
+    };
+    if let Some(cache) = &general.cache {
+        options.cache = Some(cache.clone());
+    }
+    if let Some(mesh) = arguments.mesh {
+        options.mesh = mesh;
+        // The level is checked even where no boundary elements run: a typo must not pass.
+        bem::Bem::new(mesh)?;
+    }
+    Ok((methods, options))
+}
+
+fn set_up(methods: &[Method], options: &ModelOptions) -> Result<Vec<Model>, CompareError> {
+    (methods.iter())
+        .map(|&method| Model::set_up(method, options))
+        .collect()
+}
+
+fn sweep_options(arguments: &RunArguments) -> Result<SweepOptions, CompareError> {
+    let tolerance = arguments.tol;
+    if !(1e-14..=1e-2).contains(&tolerance) {
+        let allowed = "give a number from 1e-14 to 1e-2";
+        return Err(CompareError::input("--tol", tolerance, allowed));
+    }
+    let time_limit = match arguments.time_limit {
+        None => None,
+        Some(seconds) => Some(Duration::try_from_secs_f64(seconds).map_err(|_| {
+            CompareError::input("--time-limit", seconds, "give a number of seconds, 0 or more")
+        })?),
+    };
+    Ok(SweepOptions {
+        run: RunOptions {
+            tolerance,
+            sample_interval: Some(SAMPLE_INTERVAL),
+            ..RunOptions::default()
+        },
+        time_limit,
+    })
+}
+
+#[derive(Serialize)]
+struct LoadRow {
+    method: &'static str,
+    gap: f64,
+    name: String,
+    value: f64,
+    /// The model's own estimate, relative to the larger of the load and 1.
+    error_estimate: f64,
+}
+
+fn loads(
+    gaps: &Numbers,
+    arguments: &ModelArguments,
+    general: &Arguments,
+) -> Result<(), CompareError> {
+    let (methods, options) = model_options(arguments, general)?;
+    let gaps: Vec<_> = (gaps.0.iter())
+        .map(|&eps| {
+            Gap::new(eps).map_err(|_| {
+                CompareError::input("--gap", eps, "gaps must be greater than 0 and finite")
+            })
+        })
+        .collect::<Result<_, _>>()?;
+    let out = OutputFolder::open(&general.out)?;
+    let mut rows = Vec::new();
+    for &method in &methods {
+        check_range(method, &options, &gaps)?;
+        let model = Model::set_up(method, &options)?;
+        for &gap in &gaps {
+            let loads = model.loads(gap, LOADS_MODES)?;
+            let error_estimate = model.error_estimate(gap, LOADS_MODES)?;
+            rows.extend(loads.named().into_iter().map(|(name, value)| LoadRow {
+                method: method.name(),
+                gap: gap.eps(),
+                name,
+                value,
+                error_estimate,
+            }));
+        }
+    }
+    out.write("loads.csv", &csv_text(&rows)?)?;
+    print_rows(
+        &["method", "gap", "load", "value", "error estimate"],
+        rows.iter().map(|row| {
+            vec![
+                row.method.to_owned(),
+                format!("{}", row.gap),
+                row.name.clone(),
+                format!("{:.9}", row.value),
+                format!("{:.1e}", row.error_estimate),
+            ]
+        }),
+    );
+    Ok(())
+}
+
+/// Refuses a gap that the method cannot answer for before anything is computed.
+fn check_range(method: Method, options: &ModelOptions, gaps: &[Gap]) -> Result<(), CompareError> {
+    if method == Method::Bem {
+        let range = bem::Bem::new(options.mesh)?.range();
+        for &gap in gaps {
+            range.check(gap)?;
+        }
+    }
+    Ok(())
+}
+
+fn encounter(
+    approach: Approach,
+    arguments: &EncounterArguments,
+    general: &Arguments,
+) -> Result<(), CompareError> {
+    let (methods, options) = model_options(&arguments.models, general)?;
+    let sweep = sweep_options(&arguments.runs)?;
+    let defaults = Defaults::paper()?;
+    let defaults = defaults.encounters(approach);
+    let list = |given: &Option<Numbers>, default: &[f64]| {
+        given.as_ref().map_or(default.to_vec(), |list| list.0.clone())
+    };
+    let cases = cases(
+        approach,
+        &list(&arguments.beta, &defaults.beta),
+        &list(&arguments.dx, &defaults.dx),
+        &list(&arguments.dz, &defaults.dz),
+    )?;
+    let out = OutputFolder::open(&general.out)?;
+    let models = set_up(&methods, &options)?;
+    let encounters = sweep::encounters(&models, &cases, &sweep);
+    write_encounters(approach, &encounters, &out)?;
+    print_encounters(&encounters);
+    print_failures(&encounters);
+    Ok(())
+}
+
+/// All combinations, with the spheres checked not to overlap at the start.
+pub(crate) fn cases(
+    approach: Approach,
+    beta: &[f64],
+    dx: &[f64],
+    dz: &[f64],
+) -> Result<Vec<Case>, CompareError> {
+    let mut cases = Vec::new();
+    for &beta in beta {
+        for &dx in dx {
+            for &dz in dz {
+                let case = Case {
+                    approach,
+                    beta,
+                    dx,
+                    dz,
+                };
+                case.scene().map_err(|error| {
+                    let value = format!("{dx} with --dz {dz} and --beta {beta}");
+                    CompareError::input("--dx", value, error.to_string())
+                })?;
+                cases.push(case);
+            }
+        }
+    }
+    Ok(cases)
+}
+
+/// Writes the CSV and the pictures of one approach.
+fn write_encounters(
+    approach: Approach,
+    encounters: &[Encounter],
+    out: &OutputFolder,
+) -> Result<(), CompareError> {
+    let rows: Vec<_> = encounters.iter().map(Encounter::row).collect();
+    let csv = csv_text(&rows)?;
+    let name = approach.to_string();
+    out.write(&format!("{name}.csv"), &csv)?;
+    for picture in pictures::of_encounters(approach, encounters)? {
+        out.write(&picture.file_name, &picture.svg)?;
+    }
+    Ok(())
+}
+
+fn offset(
+    dz: Option<&Numbers>,
+    models: &ModelArguments,
+    runs: &RunArguments,
+    general: &Arguments,
+) -> Result<(), CompareError> {
+    let (methods, options) = model_options(models, general)?;
+    let sweep = sweep_options(runs)?;
+    let defaults = Defaults::paper()?.offset;
+    let dz = dz.map_or(defaults.dz.clone(), |dz| dz.0.clone());
+    let out = OutputFolder::open(&general.out)?;
+    let models = set_up(&methods, &options)?;
+    let (rows, encounters) = sweep::offsets(&models, &defaults.cases(), &dz, &sweep);
+    out.write("offset.csv", &csv_text(&rows)?)?;
+    if let Some(picture) = pictures::of_offsets(&rows)? {
+        out.write(&picture.file_name, &picture.svg)?;
+    }
+    print_rows(
+        &["case", "method", "beta", "dx", "dz", "change 1 [deg]", "change 2 [deg]", "min gap"],
+        rows.iter().map(|row| {
+            vec![
+                row.case.clone(),
+                row.method.to_owned(),
+                format!("{}", row.beta),
+                format!("{}", row.dx),
+                format!("{}", row.dz),
+                format!("{:.6}", row.change1_deg),
+                format!("{:.6}", row.change2_deg),
+                format!("{:.5}", row.min_gap),
+            ]
+        }),
+    );
+    print_failures(&encounters);
+    Ok(())
+}
+
+fn print_encounters(encounters: &[Encounter]) {
+    let header = [
+        "method", "beta", "dx", "dz", "deflection 1 [deg]", "deflection 2 [deg]", "min gap",
+        "duration", "outcome", "steps", "seconds",
+    ];
+    print_rows(
+        &header,
+        encounters.iter().map(|encounter| {
+            let row = encounter.row();
+            vec![
+                row.method.to_owned(),
+                format!("{}", row.beta),
+                format!("{}", row.dx),
+                format!("{}", row.dz),
+                format!("{:.5}", row.deflection1_deg),
+                format!("{:.5}", row.deflection2_deg),
+                format!("{:.5}", row.min_gap),
+                format!("{:.4}", row.duration),
+                row.outcome,
+                format!("{}", row.steps),
+                format!("{:.2e}", row.seconds),
+            ]
+        }),
+    );
+}
+
+/// Says which runs have no result, and why.
+fn print_failures(encounters: &[Encounter]) {
+    for encounter in encounters {
+        if let Err(reason) = &encounter.run {
+            eprintln!("{}", failure(encounter, reason));
+        }
+    }
+}
+
+/// One line about a run without a result.
+pub(crate) fn failure(encounter: &Encounter, reason: &str) -> String {
+    let Case {
+        approach,
+        beta,
+        dx,
+        dz,
+    } = encounter.case;
+    format!(
+        "{approach}, {}, beta {beta}, dx {dx}, dz {dz}: {reason}",
+        encounter.method
+    )
+}
+
+fn print_rows(header: &[&str], rows: impl Iterator<Item = Vec<String>>) {
+    let mut table = Table::new();
+    table.load_preset(presets::NOTHING).set_header(header);
+    table.add_rows(rows);
+    for column in table.column_iter_mut() {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+    println!("{table}");
+}

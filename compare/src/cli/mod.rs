@@ -1,0 +1,75 @@
+//! The command `squirmers`: arguments in, files and a short table out.
+
+mod args;
+pub(crate) mod commands;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::Parser;
+use clap::error::ErrorKind;
+
+use crate::CompareError;
+use args::Arguments;
+
+/// Runs the command line `arguments` (the program's name first).
+///
+/// Exit status 0 on success, 1 if a computation failed, 2 for bad input; either failure prints one
+/// line on standard error.
+pub fn run<I, T>(arguments: I) -> ExitCode
+where
+    I: IntoIterator<Item = T>,
+    T: Into<OsString> + Clone,
+{
+    let arguments: Vec<OsString> = arguments.into_iter().map(Into::into).collect();
+    let parsed = match Arguments::try_parse_from(&arguments) {
+        Ok(parsed) => parsed,
+        Err(error) => return refuse(&error),
+    };
+    let typed: Vec<_> = (arguments.iter().skip(1))
+        .map(|argument| argument.to_string_lossy().into_owned())
+        .collect();
+    let done = set_threads(parsed.threads).and_then(|()| commands::run(&parsed, &typed));
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(error.exit_status())
+        }
+    }
+}
+
+/// Help and version go to standard output; anything else is bad input, told in one line.
+fn refuse(error: &clap::Error) -> ExitCode {
+    if matches!(
+        error.kind(),
+        ErrorKind::DisplayHelp
+            | ErrorKind::DisplayVersion
+            | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
+    ) {
+        print!("{error}");
+        return ExitCode::SUCCESS;
+    }
+    let text = error.to_string();
+    let lines: Vec<_> = (text.lines().map(str::trim))
+        .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
+        .filter(|line| !line.is_empty())
+        .collect();
+    eprintln!("{} (see --help)", lines.join(" "));
+    ExitCode::from(2)
+}
+
+fn set_threads(threads: Option<usize>) -> Result<(), CompareError> {
+    /// More threads than any machine has cores are a slip of the finger.
+    const MOST: usize = 4096;
+    let Some(threads) = threads else {
+        return Ok(());
+    };
+    if threads == 0 || threads > MOST {
+        let allowed = format!("give a number from 1 to {MOST}");
+        return Err(CompareError::input("--threads", threads, allowed));
+    }
+    (rayon::ThreadPoolBuilder::new().num_threads(threads))
+        .build_global()
+        .map_err(|error| CompareError::input("--threads", threads, error.to_string()))
+}

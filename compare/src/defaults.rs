@@ -1,0 +1,78 @@
+//! The paper's cases, embedded in the program: what commands run when nothing is said.
+
+use serde::Deserialize;
+
+use crate::{Approach, Case, CompareError};
+
+/// The lists of one approach.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct EncounterDefaults {
+    /// Squirmer parameters.
+    pub beta: Vec<f64>,
+    /// Offsets of the paths, in radii.
+    pub dx: Vec<f64>,
+    /// Offsets out of the plane, in radii.
+    pub dz: Vec<f64>,
+}
+
+/// The cases of the offset sensitivity; pairs are `(beta, dx)`.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct OffsetDefaults {
+    /// Offsets out of the plane, in radii.
+    pub dz: Vec<f64>,
+    head_on: Vec<(f64, f64)>,
+    orthogonal: Vec<(f64, f64)>,
+}
+
+impl OffsetDefaults {
+    /// The cases, in the plane.
+    #[must_use]
+    pub fn cases(&self) -> Vec<Case> {
+        let of = |approach, pairs: &[(f64, f64)]| {
+            (pairs.iter())
+                .map(|&(beta, dx)| Case {
+                    approach,
+                    beta,
+                    dx,
+                    dz: 0.0,
+                })
+                .collect::<Vec<_>>()
+        };
+        let mut cases = of(Approach::HeadOn, &self.head_on);
+        cases.extend(of(Approach::Orthogonal, &self.orthogonal));
+        cases
+    }
+}
+
+/// All embedded cases.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Defaults {
+    /// Fig. 6.
+    pub head_on: EncounterDefaults,
+    /// Fig. 7.
+    pub orthogonal: EncounterDefaults,
+    /// Fig. 5(b).
+    pub offset: OffsetDefaults,
+}
+
+impl Defaults {
+    /// The paper's cases.
+    ///
+    /// # Errors
+    /// [`CompareError::Cases`] if the embedded file does not parse.
+    pub fn paper() -> Result<Self, CompareError> {
+        Ok(toml::from_str(include_str!("../../fixtures/cases.toml"))?)
+    }
+
+    /// The lists of `approach`.
+    #[must_use]
+    pub fn encounters(&self, approach: Approach) -> &EncounterDefaults {
+        match approach {
+            Approach::HeadOn => &self.head_on,
+            Approach::Orthogonal => &self.orthogonal,
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! Encounters run by each method: one row of numbers each, and the trajectories behind them.
+
+use scene::{Outcome, Run};
+use serde::Serialize;
+
+use crate::{Case, Method};
+
+/// An encounter that was run, or tried.
+#[derive(Clone, Debug)]
+pub struct Encounter {
+    /// The case.
+    pub case: Case,
+    /// The method.
+    pub method: Method,
+    /// The run with its samples, or the one line that says why there is none.
+    pub run: Result<Run, String>,
+    /// Wall-clock time of the run alone, without building tables, in seconds.
+    pub seconds: f64,
+}
+
+/// One line of `head-on.csv` and `orthogonal.csv`. Angles in degrees, anticlockwise positive;
+/// lengths in radii; times in `a/V_s`, but for `seconds`. A run that failed has NaN.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct EncounterRow {
+    /// Name of the method.
+    pub method: &'static str,
+    /// Squirmer parameter.
+    pub beta: f64,
+    /// Offset of the paths.
+    pub dx: f64,
+    /// Offset out of the plane.
+    pub dz: f64,
+    /// Outgoing minus incoming angle of the first squirmer, in the x-y plane.
+    pub deflection1_deg: f64,
+    /// The same of the second squirmer.
+    pub deflection2_deg: f64,
+    /// Smallest gap.
+    pub min_gap: f64,
+    /// Time spent at gaps up to 1 (the paper's tau).
+    pub duration: f64,
+    /// Outcome, or `failed`.
+    pub outcome: String,
+    /// Accepted steps of the integrator.
+    pub steps: u64,
+    /// Loads asked of the model.
+    pub loads: u64,
+    /// Wall-clock time.
+    pub seconds: f64,
+}
+
+impl Encounter {
+    /// The row of this encounter.
+    #[must_use]
+    pub fn row(&self) -> EncounterRow {
+        let case = &self.case;
+        let run = self.run.as_ref().ok();
+        let number = |of: fn(&Run) -> f64| run.map_or(f64::NAN, of);
+        EncounterRow {
+            method: self.method.name(),
+            beta: case.beta,
+            dx: case.dx,
+            dz: case.dz,
+            deflection1_deg: number(|run| run.deflections()[0].to_degrees()),
+            deflection2_deg: number(|run| run.deflections()[1].to_degrees()),
+            min_gap: number(|run| run.min_gap),
+            duration: number(|run| run.contact_time),
+            outcome: run.map_or("failed".to_owned(), |run| run.outcome.to_string()),
+            steps: run.map_or(0, |run| run.counters.steps),
+            loads: run.map_or(0, |run| run.counters.loads),
+            seconds: self.seconds,
+        }
+    }
+
+    /// Whether the pair parted, so that its outgoing angles mean something.
+    #[must_use]
+    pub fn scattered(&self) -> bool {
+        (self.run.as_ref()).is_ok_and(|run| run.outcome == Outcome::Scattered)
+    }
+}
+
+/// One line of `offset.csv`: change of the outgoing orientation by an offset out of the plane, the
+/// angle between the outgoing orientations with and without it, in degrees.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OffsetRow {
+    /// Name of the approach.
+    pub case: String,
+    /// Name of the method.
+    pub method: &'static str,
+    /// Squirmer parameter.
+    pub beta: f64,
+    /// Offset of the paths, in radii.
+    pub dx: f64,
+    /// Offset out of the plane, in radii.
+    pub dz: f64,
+    /// Change of the first squirmer's outgoing orientation, in degrees.
+    pub change1_deg: f64,
+    /// Change of the second squirmer's outgoing orientation, in degrees.
+    pub change2_deg: f64,
+    /// Smallest gap, in radii.
+    pub min_gap: f64,
+}

@@ -1,0 +1,69 @@
+//! What can go wrong in comparing, and which of it is the user's to mend.
+
+use std::path::PathBuf;
+
+use scene::SceneError;
+
+/// Everything that a command can refuse or fail at, each one line.
+#[derive(Debug, thiserror::Error)]
+pub enum CompareError {
+    /// A value on the command line that is not allowed.
+    #[error("{what} '{value}' is not allowed: {allowed}")]
+    Input {
+        /// The option.
+        what: &'static str,
+        /// What was given.
+        value: String,
+        /// What is allowed.
+        allowed: String,
+    },
+    /// The output folder or a file in it cannot be written.
+    #[error("cannot write '{path}': {source}")]
+    Write {
+        /// The file or folder.
+        path: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// Rows could not be turned into text.
+    #[error("rows cannot be written: {0}")]
+    Rows(#[from] csv::Error),
+    /// A scene, a model or a table failed.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The boundary-element method refused its parameters.
+    #[error(transparent)]
+    Bem(#[from] bem::BemError),
+    /// A picture could not be drawn.
+    #[error(transparent)]
+    Figure(#[from] crate::figures::FigureError),
+    /// The embedded cases do not parse.
+    #[error("embedded cases: {0}")]
+    Cases(#[from] toml::de::Error),
+}
+
+impl CompareError {
+    /// A value that is not allowed.
+    pub(crate) fn input(
+        what: &'static str,
+        value: impl ToString,
+        allowed: impl Into<String>,
+    ) -> Self {
+        Self::Input {
+            what,
+            value: value.to_string(),
+            allowed: allowed.into(),
+        }
+    }
+
+    /// Exit status of the command: 2 for bad input, 1 for a failure of the computation.
+    #[must_use]
+    pub fn exit_status(&self) -> u8 {
+        match self {
+            Self::Input { .. } | Self::Write { .. } | Self::Bem(_) => 2,
+            Self::Scene(SceneError::Stepper { .. } | SceneError::Model { .. }) => 1,
+            Self::Scene(_) => 2,
+            Self::Rows(_) | Self::Figure(_) | Self::Cases(_) => 1,
+        }
+    }
+}

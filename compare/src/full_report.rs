@@ -1,0 +1,210 @@
+//! Every comparison with the paper's cases, written as files and as one page.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use scene::{Gap, Hydrodynamics, TableLimit};
+
+use crate::cli::commands::{cases, failure};
+use crate::output::{OutputFolder, csv_text};
+use crate::pictures::{Picture, of_encounters, of_offsets};
+use crate::report::{Figure, MethodCost, Page, Section, Table, render};
+use crate::sweep::{self, SweepOptions};
+use crate::{Approach, CompareError, Defaults, Encounter, Method, Model, ModelOptions, provenance};
+
+/// Gaps at which the page states each model's own error estimate: where collisions go.
+const STATED_GAPS: [f64; 3] = [0.1, 0.01, 0.005];
+
+/// Squirming modes of the paper's cases.
+const MODES: usize = 2;
+
+/// Runs everything, writes each command's files into `out`, and the page that shows them;
+/// returns the page's path. `typed` is the command line, for the footer.
+pub(crate) fn write(
+    methods: &[Method],
+    options: &ModelOptions,
+    sweep: &SweepOptions,
+    out: &OutputFolder,
+    typed: &[String],
+) -> Result<PathBuf, CompareError> {
+    let started = Instant::now();
+    let models = (methods.iter())
+        .map(|&method| Model::set_up(method, options))
+        .collect::<Result<Vec<_>, _>>()?;
+    let mut content = Content::default();
+    for approach in [Approach::HeadOn, Approach::Orthogonal] {
+        content.add_encounters(approach, &models, sweep, out)?;
+    }
+    content.add_offsets(&models, sweep, out)?;
+    let page = Page {
+        title: "Two squirmers collide: lubrication theory against boundary elements".to_owned(),
+        lead: lead(),
+        sections: content.sections,
+        costs: (models.iter())
+            .map(|model| cost(model, &content.encounters))
+            .collect(),
+        notes: content.notes,
+        provenance: provenance::of(typed, started.elapsed().as_secs_f64()),
+    };
+    out.write("index.html", &render(&page))
+}
+
+fn lead() -> Vec<String> {
+    vec![
+        "When two swimming microorganisms collide, how far can lubrication theory be trusted, and \
+         what does a better answer cost? Two spherical squirmers of radius a meet in a Stokes fluid. \
+         Each encounter is computed with the loads of lubrication theory, which acts only where the \
+         gap is at most one radius, and with those of full hydrodynamics."
+            .to_owned(),
+        "Lengths are in radii a, times in a/V_s, angles in degrees, anticlockwise positive. The \
+         cases are those of Darveniza, Ishikawa, Pedley & Brumley, Pairwise scattering and bound \
+         states of spherical microorganisms (2022)."
+            .to_owned(),
+    ]
+}
+
+/// What has been run so far.
+#[derive(Default)]
+struct Content {
+    sections: Vec<Section>,
+    notes: Vec<String>,
+    encounters: Vec<Encounter>,
+}
+
+impl Content {
+    fn add_encounters(
+        &mut self,
+        approach: Approach,
+        models: &[Model],
+        sweep: &SweepOptions,
+        out: &OutputFolder,
+    ) -> Result<(), CompareError> {
+        let defaults = Defaults::paper()?;
+        let lists = defaults.encounters(approach);
+        let cases = cases(approach, &lists.beta, &lists.dx, &lists.dz)?;
+        let encounters = sweep::encounters(models, &cases, sweep);
+        let rows: Vec<_> = encounters.iter().map(Encounter::row).collect();
+        let csv = csv_text(&rows)?;
+        let file_name = format!("{approach}.csv");
+        out.write(&file_name, &csv)?;
+        let (title, prose) = words(approach);
+        self.sections.push(Section {
+            id: approach.to_string(),
+            title: title.to_owned(),
+            prose: vec![prose.to_owned()],
+            figures: figures(of_encounters(approach, &encounters)?, out)?,
+            tables: vec![Table::from_csv(
+                "Deflection is outgoing minus incoming angle; duration is the time spent at gaps up \
+                 to 1; seconds are wall-clock time of the run without the table's set-up.",
+                &file_name,
+                &csv,
+            )?],
+        });
+        self.take(encounters);
+        Ok(())
+    }
+
+    fn add_offsets(
+        &mut self,
+        models: &[Model],
+        sweep: &SweepOptions,
+        out: &OutputFolder,
+    ) -> Result<(), CompareError> {
+        let defaults = Defaults::paper()?.offset;
+        let (rows, encounters) = sweep::offsets(models, &defaults.cases(), &defaults.dz, sweep);
+        let csv = csv_text(&rows)?;
+        out.write("offset.csv", &csv)?;
+        self.sections.push(Section {
+            id: "offset".to_owned(),
+            title: "Sensitivity to an offset out of the plane (Fig. 5b)".to_owned(),
+            prose: vec![
+                "The first squirmer starts raised by dz/2, the second lowered by dz/2. Shown is the \
+                 angle between a squirmer's outgoing orientation with and without the offset."
+                    .to_owned(),
+            ],
+            figures: figures(of_offsets(&rows)?.into_iter().collect(), out)?,
+            tables: vec![Table::from_csv(
+                "Change of the outgoing orientations; a pair that does not part has none.",
+                "offset.csv",
+                &csv,
+            )?],
+        });
+        self.take(encounters);
+        Ok(())
+    }
+
+    fn take(&mut self, encounters: Vec<Encounter>) {
+        for encounter in &encounters {
+            if let Err(reason) = &encounter.run {
+                self.notes.push(failure(encounter, reason));
+            }
+        }
+        self.encounters.extend(encounters);
+    }
+}
+
+fn words(approach: Approach) -> (&'static str, &'static str) {
+    match approach {
+        Approach::HeadOn => (
+            "Opposed approach (Fig. 6)",
+            "Squirmers of opposed velocities start at (-δx/2, 5) and (δx/2, -5). Under lubrication \
+             theory those with δx > 3 pass without noticing each other.",
+        ),
+        Approach::Orthogonal => (
+            "Approach at right angles (Fig. 7)",
+            "Squirmers start at (0, 10), swimming along x, and (10 - δx, 0), swimming along y.",
+        ),
+    }
+}
+
+fn caption(file_name: &str) -> &'static str {
+    if file_name.contains("trajectories") {
+        "Paths of both squirmers (solid: first, dashed: second), with dots at equal times and the \
+         spheres, to scale, at closest approach. Lubrication paths are continued by straight flight."
+    } else if file_name.contains("deflection") {
+        "Deflection of the squirmers against the offset of their paths."
+    } else {
+        "Change of the outgoing orientation against the offset out of the plane."
+    }
+}
+
+/// Writes pictures to their files and makes figures of them.
+fn figures(pictures: Vec<Picture>, out: &OutputFolder) -> Result<Vec<Figure>, CompareError> {
+    (pictures.into_iter())
+        .map(|Picture { file_name, svg }| {
+            out.write(&file_name, &svg)?;
+            Ok(Figure {
+                caption: caption(&file_name).to_owned(),
+                svg,
+            })
+        })
+        .collect()
+}
+
+fn cost(model: &Model, encounters: &[Encounter]) -> MethodCost {
+    let seconds: Vec<_> = (encounters.iter())
+        .filter(|encounter| encounter.method == model.method() && encounter.run.is_ok())
+        .map(|encounter| encounter.seconds)
+        .collect();
+    let (gaps_evaluated, interpolation_error, limit) = match model.table() {
+        Some((gaps, error, TableLimit::Tolerance(_))) => (gaps, error, "tolerance".to_owned()),
+        Some((gaps, error, TableLimit::Noise(_))) => (gaps, error, "model noise".to_owned()),
+        None if model.is_direct() => (0, f64::NAN, "solved directly".to_owned()),
+        None => (0, f64::NAN, "closed form".to_owned()),
+    };
+    // A closed form has no error of its own to state; what the formula is worth is another matter.
+    let stated = |eps: f64| {
+        let gap = Gap::new(eps).ok()?;
+        let error = model.error_estimate(gap, MODES).ok()?;
+        (error > 0.0).then_some((eps, error))
+    };
+    MethodCost {
+        method: model.method().name().to_owned(),
+        set_up_seconds: model.set_up_seconds(),
+        gaps_evaluated,
+        interpolation_error,
+        limit,
+        error_at_contact: STATED_GAPS.into_iter().filter_map(stated).collect(),
+        seconds_per_run: seconds.iter().sum::<f64>() / seconds.len() as f64,
+    }
+}

@@ -1,0 +1,7 @@
+//! The command `squirmers`.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    compare::cli::run(std::env::args_os())
+}

@@ -1,0 +1,48 @@
+//! The ways in which loads are computed, by the names of the command line.
+
+use std::fmt;
+
+/// A hydrodynamic method.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Method {
+    /// Lubrication theory as published.
+    Lt,
+    /// Lubrication theory with the axial squirming force corrected.
+    LtCorrected,
+    /// Boundary elements.
+    Bem,
+}
+
+impl Method {
+    /// All methods.
+    pub const ALL: [Self; 3] = [Self::Lt, Self::LtCorrected, Self::Bem];
+
+    /// The methods that a command runs when none are named.
+    pub const DEFAULT: [Self; 2] = [Self::Lt, Self::Bem];
+
+    /// Name on the command line and in tables.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Lt => "lt",
+            Self::LtCorrected => "lt-corrected",
+            Self::Bem => "bem",
+        }
+    }
+
+    /// Name in pictures.
+    #[must_use]
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Lt => "Lubrication theory",
+            Self::LtCorrected => "Lubrication theory, corrected",
+            Self::Bem => "Boundary elements",
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}

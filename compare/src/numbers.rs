@@ -1,0 +1,99 @@
+//! Lists of numbers on the command line: `1,2,5` and ranges `a:b:step`.
+
+/// Most numbers that one list may hold.
+const MOST: usize = 100_000;
+
+/// A list of finite numbers, not empty.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Numbers(pub Vec<f64>);
+
+/// Parses a comma list of numbers and ranges `a:b:step` (both ends included).
+///
+/// # Errors
+/// One line that names the part that is wrong and what is allowed.
+///
+/// ```
+/// use compare::parse_numbers;
+/// assert_eq!(parse_numbers("-1,0:1:0.5")?.0, [-1.0, 0.0, 0.5, 1.0]);
+/// assert!(parse_numbers("1,x").unwrap_err().contains("'x'"));
+/// # Ok::<(), String>(())
+/// ```
+pub fn parse_numbers(text: &str) -> Result<Numbers, String> {
+    if text.trim().is_empty() {
+        return Err("the list is empty: give numbers such as 1,2,5 or a range a:b:step".to_owned());
+    }
+    let mut numbers = Vec::new();
+    for part in text.split(',') {
+        match *part.split(':').collect::<Vec<_>>() {
+            [single] => numbers.push(number(single)?),
+            [from, to, step] => range(number(from)?, number(to)?, number(step)?, &mut numbers)?,
+            _ => return Err(format!("'{part}' is neither a number nor a range a:b:step")),
+        }
+        if numbers.len() > MOST {
+            return Err(format!("'{part}' makes the list longer than {MOST} numbers"));
+        }
+    }
+    Ok(Numbers(numbers))
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    match text.trim().parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        Ok(_) => Err(format!("'{text}' is not allowed: numbers must be finite")),
+        Err(_) => Err(format!(
+            "'{text}' is not a number: give a comma list such as 1,2,5 or a range a:b:step"
+        )),
+    }
+}
+
+fn range(from: f64, to: f64, step: f64, numbers: &mut Vec<f64>) -> Result<(), String> {
+    let count = (to - from) / step;
+    if !(count >= 0.0 && count.is_finite()) {
+        return Err(format!(
+            "range {from}:{to}:{step} is empty: the step must lead from the first to the second number"
+        ));
+    }
+    if count > MOST as f64 {
+        return Err(format!(
+            "range {from}:{to}:{step} holds more than {MOST} numbers"
+        ));
+    }
+    // The last point may be missed by rounding only.
+    let last = (count + 1e-9).floor() as usize;
+    numbers.extend((0..=last).map(|i| {
+        let value = from + i as f64 * step;
+        // 0.1 * 3 is not 0.3: take away what is below the digits that the user can have meant.
+        (value * 1e12).round() / 1e12
+    }));
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_include_both_ends_and_print_as_typed() {
+        let numbers = parse_numbers("0:0.5:0.1").unwrap().0;
+        assert_eq!(numbers, [0.0, 0.1, 0.2, 0.3, 0.4, 0.5]);
+        assert_eq!(parse_numbers("2:-2:-2").unwrap().0, [2.0, 0.0, -2.0]);
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        for (text, named) in [
+            ("", "empty"),
+            ("1,,2", "''"),
+            ("nan", "'nan'"),
+            ("1,inf", "'inf'"),
+            ("1:2", "'1:2'"),
+            ("1:2:-1", "1:2:-1"),
+            ("0:1:0", "0:1:0"),
+            ("0:1:1e-9", "more than"),
+        ] {
+            let error = parse_numbers(text).unwrap_err();
+            assert!(error.contains(named), "{text}: {error}");
+            assert!(!error.contains('\n'));
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! The page's template.
+
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use super::table::displayed;
+use super::{Figure, MethodCost, Page, Provenance, Section, Table};
+
+const STYLE: &str = include_str!("page.css");
+
+/// Width in pixels down to which a picture shrinks before it scrolls: its share, and no less.
+const SMALLEST_SHARE: f64 = 0.72;
+
+/// Rows beyond which a table scrolls in a box of its own.
+const LONG: usize = 16;
+
+/// The page as one HTML file that loads nothing.
+#[must_use]
+pub fn render(page: &Page) -> String {
+    let costs = (!page.costs.is_empty()).then(|| Section {
+        id: "cost".to_owned(),
+        title: "How long each method took".to_owned(),
+        prose: vec![COST_PROSE.to_owned()],
+        figures: Vec::new(),
+        tables: vec![MethodCost::table(&page.costs)],
+    });
+    let sections: Vec<&Section> = page.sections.iter().chain(&costs).collect();
+    let markup = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { (page.title) }
+                link rel="icon" href="data:,";
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                main {
+                    h1 { (page.title) }
+                    @for paragraph in &page.lead { p { (paragraph) } }
+                    @if sections.len() > 1 {
+                        nav aria-label="Contents" {
+                            ul {
+                                @for section in &sections {
+                                    li { a href={ "#" (section.id) } { (section.title) } }
+                                }
+                                @if !page.notes.is_empty() { li { a href="#notes" { "Notes" } } }
+                            }
+                        }
+                    }
+                    @for section in &sections { (self::section(section)) }
+                    @if !page.notes.is_empty() {
+                        section id="notes" {
+                            h2 { "Notes" }
+                            ul { @for note in &page.notes { li { (note) } } }
+                        }
+                    }
+                }
+                (footer(&page.provenance))
+            }
+        }
+    };
+    markup.into_string()
+}
+
+const COST_PROSE: &str = "Wall-clock times in seconds: set-up is the building of a method's table, \
+    a run is one encounter with the table at hand. Errors are relative and the methods' own \
+    estimates: of interpolation in the table, and of the loads at gaps near contact.";
+
+fn section(section: &Section) -> Markup {
+    html! {
+        section id=(section.id) {
+            h2 { (section.title) }
+            @for paragraph in &section.prose { p { (paragraph) } }
+            @for figure in &section.figures { (self::figure(figure)) }
+            @for table in &section.tables { (self::table(table)) }
+        }
+    }
+}
+
+fn figure(figure: &Figure) -> Markup {
+    let svg = figure
+        .svg
+        .find("<svg")
+        .map_or("", |start| &figure.svg[start..]);
+    let smallest = width(svg).map(|width| format!("min-width:{:.0}px", SMALLEST_SHARE * width));
+    let svg = match smallest {
+        Some(style) => svg.replacen("<svg ", &format!("<svg style=\"{style}\" "), 1),
+        None => svg.to_owned(),
+    };
+    html! {
+        figure {
+            div.wide.picture tabindex="0" { (PreEscaped(svg)) }
+            figcaption { (figure.caption) }
+        }
+    }
+}
+
+/// The width that an SVG gives itself.
+fn width(svg: &str) -> Option<f64> {
+    let header = svg.split_once('>')?.0;
+    header
+        .split_once(" width=\"")?
+        .1
+        .split_once('"')?
+        .0
+        .parse()
+        .ok()
+}
+
+fn table(table: &Table) -> Markup {
+    let numeric: Vec<bool> = (0..table.headers.len())
+        .map(|i| table.is_numeric(i))
+        .collect();
+    let class = |i: usize| numeric.get(i).is_some_and(|n| *n).then_some("number");
+    let data = BASE64_STANDARD.encode(&table.csv);
+    html! {
+        div.table {
+            p {
+                (table.caption) " · "
+                a download=(table.file_name) href={ "data:text/csv;charset=utf-8;base64," (data) } {
+                    (table.file_name)
+                }
+            }
+            div.wide.long[table.records.len() > LONG] tabindex="0" {
+                table {
+                    thead {
+                        tr {
+                            @for (i, header) in table.headers.iter().enumerate() {
+                                th scope="col" class=[class(i)] { (header) }
+                            }
+                        }
+                    }
+                    tbody {
+                        @for record in &table.records {
+                            tr {
+                                @for (i, (header, field)) in
+                                    table.headers.iter().zip(record).enumerate()
+                                {
+                                    td class=[class(i)] { (displayed(header, field)) }
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn footer(provenance: &Provenance) -> Markup {
+    html! {
+        footer {
+            dl {
+                dt { "Command" } dd { code { (provenance.command) } }
+                dt { "Version" } dd { (provenance.version) }
+                dt { "Machine" } dd { (provenance.machine) }
+                dt { "Threads" } dd { (provenance.threads) }
+                dt { "Date" } dd { (provenance.date) }
+                dt { "Total time" } dd { (provenance.total_time) }
+            }
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! Runs cases by methods, in parallel, in a fixed order.
+
+use std::time::{Duration, Instant};
+
+use nalgebra::Vector3;
+use rayon::prelude::*;
+use scene::{Outcome, RunOptions};
+
+use crate::progress::Progress;
+use crate::{Case, Encounter, Model, OffsetRow};
+
+/// How a sweep runs.
+#[derive(Clone, Copy, Debug)]
+pub struct SweepOptions {
+    /// How each scene runs.
+    pub run: RunOptions,
+    /// Time after which no further run is begun; those left out are reported as skipped.
+    pub time_limit: Option<Duration>,
+}
+
+/// Every case by every method: methods outermost, cases in their order.
+#[must_use]
+pub fn encounters(models: &[Model], cases: &[Case], options: &SweepOptions) -> Vec<Encounter> {
+    let started = Instant::now();
+    let progress = Progress::of(models.len() * cases.len(), "encounters");
+    let pairs: Vec<_> = (models.iter())
+        .flat_map(|model| cases.iter().map(move |case| (model, case)))
+        .collect();
+    let encounters = pairs
+        .into_par_iter()
+        .map(|(model, case)| {
+            let late = (options.time_limit).is_some_and(|limit| started.elapsed() >= limit);
+            let encounter = if late {
+                skipped(model, case)
+            } else {
+                encounter(model, case, &options.run)
+            };
+            progress.advance();
+            encounter
+        })
+        .collect();
+    progress.finish();
+    encounters
+}
+
+fn skipped(model: &Model, case: &Case) -> Encounter {
+    Encounter {
+        case: *case,
+        method: model.method(),
+        run: Err("skipped: the time limit was reached".to_owned()),
+        seconds: 0.0,
+    }
+}
+
+fn encounter(model: &Model, case: &Case, options: &RunOptions) -> Encounter {
+    let started = Instant::now();
+    let run = (case.scene()).and_then(|scene| model.run(&scene, options));
+    Encounter {
+        case: *case,
+        method: model.method(),
+        run: run.map_err(|error| error.to_string()),
+        seconds: started.elapsed().as_secs_f64(),
+    }
+}
+
+/// Change of the outgoing orientations of each of `cases` by each offset out of the plane.
+///
+/// Returns one row for each method, case and offset, and the encounters behind them.
+#[must_use]
+pub fn offsets(
+    models: &[Model],
+    cases: &[Case],
+    dz: &[f64],
+    options: &SweepOptions,
+) -> (Vec<OffsetRow>, Vec<Encounter>) {
+    // The planar run of a case is the reference of all its offsets.
+    let offsets: Vec<_> = std::iter::once(0.0).chain(dz.iter().copied()).collect();
+    let all: Vec<_> = (cases.iter())
+        .flat_map(|case| offsets.iter().map(move |&dz| Case { dz, ..*case }))
+        .collect();
+    let encounters = encounters(models, &all, options);
+    let rows = (encounters.chunks(offsets.len()))
+        .flat_map(|group| {
+            let reference = &group[0];
+            group[1..].iter().map(move |e| offset_row(reference, e))
+        })
+        .collect();
+    (rows, encounters)
+}
+
+fn offset_row(reference: &Encounter, offset: &Encounter) -> OffsetRow {
+    let change = |k: usize| match (outgoing(reference), outgoing(offset)) {
+        (Some(a), Some(b)) => angle_between(a[k], b[k]).to_degrees(),
+        _ => f64::NAN,
+    };
+    OffsetRow {
+        case: offset.case.approach.to_string(),
+        method: offset.method.name(),
+        beta: offset.case.beta,
+        dx: offset.case.dx,
+        dz: offset.case.dz,
+        change1_deg: change(0),
+        change2_deg: change(1),
+        min_gap: (offset.run.as_ref()).map_or(f64::NAN, |run| run.min_gap),
+    }
+}
+
+/// Outgoing orientations of a pair that parted; a bound pair has none.
+fn outgoing(encounter: &Encounter) -> Option<[Vector3<f64>; 2]> {
+    (encounter.run.as_ref().ok())
+        .filter(|run| run.outcome == Outcome::Scattered)
+        .map(|run| run.end.orientations)
+}
+
+/// Angle between two vectors, precise at small angles, in radians.
+fn angle_between(a: Vector3<f64>, b: Vector3<f64>) -> f64 {
+    a.cross(&b).norm().atan2(a.dot(&b))
+}

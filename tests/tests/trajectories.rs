@@ -1,0 +1,177 @@
+//! Trajectories by tabulated boundary elements: against direct solves, against themselves in three
+//! dimensions, and against their own past.
+
+use std::sync::OnceLock;
+
+use compare::sweep::{SweepOptions, encounters, offsets};
+use compare::{Approach, Case, Defaults, Encounter, Method, Model, ModelOptions, OffsetRow};
+use scene::{Outcome, RunOptions};
+use tests::CloseCsv;
+
+fn options(tolerance: f64) -> SweepOptions {
+    SweepOptions {
+        run: RunOptions {
+            tolerance,
+            ..RunOptions::default()
+        },
+        time_limit: None,
+    }
+}
+
+/// Tighter than the command's default, so that snapshots do not hang on where steps fell.
+const TIGHT: f64 = 1e-11;
+
+fn set_up(method: Method, mesh: usize, direct: bool) -> Model {
+    let options = ModelOptions {
+        mesh,
+        direct,
+        cache: None,
+    };
+    Model::set_up(method, &options).unwrap()
+}
+
+/// Both methods, boundary elements at a coarse level to keep the tests short.
+fn models() -> &'static [Model] {
+    static MODELS: OnceLock<Vec<Model>> = OnceLock::new();
+    MODELS.get_or_init(|| vec![set_up(Method::Lt, 2, false), set_up(Method::Bem, 2, false)])
+}
+
+fn paper_cases(approach: Approach) -> Vec<Case> {
+    let defaults = Defaults::paper().unwrap();
+    let lists = defaults.encounters(approach);
+    (lists.beta.iter())
+        .flat_map(|&beta| {
+            lists.dx.iter().map(move |&dx| Case {
+                approach,
+                beta,
+                dx,
+                dz: 0.0,
+            })
+        })
+        .collect()
+}
+
+fn snapshot(name: &str, text: &str) {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_comparator(Box::new(CloseCsv));
+    settings.set_omit_expression(true);
+    settings.set_prepend_module_to_snapshot(false);
+    settings.bind(|| insta::assert_snapshot!(name, text));
+}
+
+fn encounter_text(encounters: &[Encounter]) -> String {
+    let mut text = "method,beta,dx,deflection1_deg,deflection2_deg,min_gap,duration,outcome\n".to_owned();
+    for row in encounters.iter().map(Encounter::row) {
+        text += &format!(
+            "{},{},{},{:.8e},{:.8e},{:.8e},{:.8e},{}\n",
+            row.method,
+            row.beta,
+            row.dx,
+            row.deflection1_deg,
+            row.deflection2_deg,
+            row.min_gap,
+            row.duration,
+            row.outcome
+        );
+    }
+    text
+}
+
+#[test]
+fn regress_head_on_deflections() {
+    let encounters = encounters(models(), &paper_cases(Approach::HeadOn), &options(TIGHT));
+    snapshot("head-on", &encounter_text(&encounters));
+}
+
+#[test]
+fn regress_orthogonal_deflections() {
+    let encounters = encounters(models(), &paper_cases(Approach::Orthogonal), &options(TIGHT));
+    snapshot("orthogonal", &encounter_text(&encounters));
+}
+
+#[test]
+fn regress_offset_sensitivity() {
+    let defaults = Defaults::paper().unwrap().offset;
+    let (rows, _) = offsets(models(), &defaults.cases(), &defaults.dz, &options(TIGHT));
+    let mut text = "case,method,beta,dx,dz,change1_deg,change2_deg,min_gap\n".to_owned();
+    for row in rows {
+        let OffsetRow {
+            case,
+            method,
+            beta,
+            dx,
+            dz,
+            change1_deg,
+            change2_deg,
+            min_gap,
+        } = row;
+        text += &format!(
+            "{case},{method},{beta},{dx},{dz},{change1_deg:.8e},{change2_deg:.8e},{min_gap:.8e}\n"
+        );
+    }
+    snapshot("offset", &text);
+}
+
+#[test]
+fn val_tabulated_and_direct_boundary_elements_give_the_same_deflections() {
+    const MESH: usize = 1;
+    let cases: Vec<_> = (paper_cases(Approach::HeadOn).into_iter())
+        .filter(|case| [1.0, 3.0].contains(&case.dx))
+        .collect();
+    let options = options(1e-8);
+    let tabulated = encounters(&[set_up(Method::Bem, MESH, false)], &cases, &options);
+    let direct = encounters(&[set_up(Method::Bem, MESH, true)], &cases, &options);
+    for (table, solve) in tabulated.iter().zip(&direct) {
+        let (a, b) = (table.row(), solve.row());
+        println!(
+            "dx {}: {:.6} and {:.6} deg, {:.2e} s and {:.2e} s, ratio {:.0}",
+            a.dx,
+            a.deflection1_deg,
+            b.deflection1_deg,
+            a.seconds,
+            b.seconds,
+            b.seconds / a.seconds
+        );
+        assert!((a.deflection1_deg - b.deflection1_deg).abs() < 0.01);
+        assert!((a.deflection2_deg - b.deflection2_deg).abs() < 0.01);
+        assert!((a.min_gap - b.min_gap).abs() < 1e-4);
+    }
+}
+
+#[test]
+fn without_an_offset_outgoing_angles_are_exactly_those_of_the_planar_run() {
+    let defaults = Defaults::paper().unwrap().offset;
+    let (rows, runs) = offsets(models(), &defaults.cases(), &[0.0], &options(1e-8));
+    for row in rows {
+        assert_eq!([row.change1_deg, row.change2_deg], [0.0, 0.0], "{row:?}");
+    }
+    for pair in runs.chunks(2) {
+        let [planar, offset] = [0, 1].map(|k| pair[k].run.as_ref().unwrap().end);
+        assert_eq!(planar, offset);
+    }
+}
+
+#[test]
+fn a_tiny_offset_changes_outgoing_angles_by_no_more_than_a_hundred_times_itself() {
+    let defaults = Defaults::paper().unwrap().offset;
+    // Well below the offsets: the planar and the spatial run round and step differently.
+    for dz in [1e-9, 1e-6] {
+        let (rows, _) = offsets(models(), &defaults.cases(), &[dz], &options(TIGHT));
+        for row in rows {
+            for change in [row.change1_deg, row.change2_deg] {
+                assert!(change <= 100.0 * dz, "{row:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_encounter_of_the_paper_ends_in_scattering_or_a_named_bound_state() {
+    for approach in [Approach::HeadOn, Approach::Orthogonal] {
+        for encounter in encounters(models(), &paper_cases(approach), &options(1e-8)) {
+            let run = encounter.run.unwrap();
+            assert_ne!(run.outcome, Outcome::Undecided, "{:?}", encounter.case);
+            assert!(run.min_gap > 0.0);
+        }
+    }
+}
