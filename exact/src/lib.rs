@@ -24,6 +24,9 @@ mod system;
 mod transverse;
 mod twist;
 
+#[cfg(test)]
+mod reciprocal_theorem;
+
 pub use error::ExactError;
 pub use far_field::SERIES_TO;
 pub use model::Exact;
