@@ -19,7 +19,7 @@ use crate::singular;
 /// Smallest gap at which the series is used; below, its asymptotic form continues it.
 pub const SERIES_FROM: f64 = 1e-4;
 const FIT_TO: f64 = 1e-2;
-const FITTED_GAPS: usize = 36;
+const FITTED_GAPS: usize = 60;
 const POWERS: usize = 4;
 const CONTROL_GAPS: [f64; 3] = [5e-5, 1.3e-4, 7.7e-4];
 
