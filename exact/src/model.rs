@@ -155,6 +155,8 @@ impl Exact {
     }
 }
 
+/// Not `get_or_init` with the fit inside: a fit runs on the threads of the pool, one of which may
+/// come back here for the same form and would wait for itself. Two fits at once do no harm.
 fn get_or_fit<T>(
     cell: &OnceLock<T>,
     fit: impl Fn() -> Result<T, ExactError>,

@@ -1,5 +1,7 @@
 //! What holds at contact, far apart, and for pairs that move as one.
 
+use std::sync::LazyLock;
+
 use exact::{Exact, SERIES_FROM, SERIES_TO};
 use scene::{Gap, Hydrodynamics, PairLoads, SceneError};
 
@@ -30,6 +32,13 @@ const CONTACT_CONSTANTS: [(&str, f64, f64); 22] = [
     ("YT2_2", 1.470, 1e-3),
 ];
 
+/// One model for all tests, its near-contact form fitted once.
+static EXACT: LazyLock<Exact> = LazyLock::new(|| {
+    let exact = Exact::new();
+    exact.contact_constants(0).expect("a fit");
+    exact
+});
+
 fn at(eps: f64) -> Gap {
     Gap::new(eps).expect("a positive gap")
 }
@@ -43,7 +52,7 @@ fn distance(a: &PairLoads, b: &PairLoads) -> f64 {
 
 #[test]
 fn val_contact_constants_are_those_of_multipole_collocation() {
-    let constants = Exact::new().contact_constants(2).unwrap();
+    let constants = EXACT.contact_constants(2).unwrap();
     for ((name, own), (expected_name, expected, digit)) in
         constants.named().into_iter().zip(CONTACT_CONSTANTS)
     {
@@ -56,20 +65,20 @@ fn val_contact_constants_are_those_of_multipole_collocation() {
 #[test]
 fn touching_spheres_that_fall_along_their_centre_line_have_a_drag_of_0_645141() {
     // Cooley & O'Neill, Mathematika 16 (1969) 37: 0.645 14.
-    let constants = Exact::new().contact_constants(0).unwrap();
+    let constants = EXACT.contact_constants(0).unwrap();
     assert!((constants.xa.sum - 0.645_141).abs() < 1e-6);
 }
 
 #[test]
 fn touching_spheres_that_twist_oppositely_have_a_torque_of_zeta_of_three() {
-    let constants = Exact::new().contact_constants(0).unwrap();
+    let constants = EXACT.contact_constants(0).unwrap();
     assert!((constants.xc.difference - 1.202_056_903_159_594).abs() < 1e-10);
     assert!((constants.xc.sum - 0.75 * 1.202_056_903_159_594).abs() < 1e-10);
 }
 
 #[test]
 fn squirming_loads_grow_with_the_logarithm_of_the_gap_as_3_1_and_8_and_2_fifths() {
-    let slopes = Exact::new().log_slopes(3).unwrap();
+    let slopes = EXACT.log_slopes(3).unwrap();
     println!("{:?}", slopes.named());
     for mode in slopes.modes() {
         for (slope, expected) in [
@@ -90,7 +99,7 @@ fn squirming_loads_grow_with_the_logarithm_of_the_gap_as_3_1_and_8_and_2_fifths(
 
 #[test]
 fn the_asymptotic_form_continues_the_series_below_where_it_takes_over() {
-    let exact = Exact::new();
+    let exact = &*EXACT;
     for eps in [9e-5, 3e-5, 1e-5] {
         let series = exact.series_loads(at(eps), 8).unwrap();
         let form = exact.loads(at(eps), 8).unwrap();
@@ -102,7 +111,7 @@ fn the_asymptotic_form_continues_the_series_below_where_it_takes_over() {
 
 #[test]
 fn loads_do_not_jump_where_one_form_hands_over_to_another() {
-    let exact = Exact::new();
+    let exact = &*EXACT;
     for (seam, tolerance) in [(SERIES_FROM, 2e-10), (SERIES_TO, 1e-13)] {
         let below = exact.loads(Gap::from_ln(seam.ln() - 1e-13), 8).unwrap();
         let above = exact.loads(Gap::from_ln(seam.ln() + 1e-13), 8).unwrap();
@@ -113,16 +122,16 @@ fn loads_do_not_jump_where_one_form_hands_over_to_another() {
 
 #[test]
 fn two_spheres_far_apart_do_not_interact() {
-    let loads = Exact::new().loads(at(1e12), 8).unwrap();
+    let loads = EXACT.loads(at(1e12), 8).unwrap();
     assert!(distance(&loads, &PairLoads::isolated(8)) < 1e-11);
-    let infinite = Exact::new().loads(Gap::from_ln(800.0), 8).unwrap();
+    let infinite = EXACT.loads(Gap::from_ln(800.0), 8).unwrap();
     assert!(distance(&infinite, &PairLoads::isolated(8)) < 1e-14);
 }
 
 #[test]
 fn distant_spheres_drag_each_other_by_a_stokeslet() {
     let gap = at(1e4);
-    let (r, loads) = (gap.distance(), Exact::new().loads(gap, 1).unwrap());
+    let (r, loads) = (gap.distance(), EXACT.loads(gap, 1).unwrap());
     assert!((loads.xa.other() * r + 1.5).abs() < 1e-6);
     assert!((loads.ya.other() * r + 0.75).abs() < 1e-6);
     assert!((loads.yb.other() * r * r - 1.5).abs() < 1e-3);
@@ -131,7 +140,7 @@ fn distant_spheres_drag_each_other_by_a_stokeslet() {
 
 #[test]
 fn a_pair_that_moves_as_one_body_feels_no_lubrication() {
-    let exact = Exact::new();
+    let exact = &*EXACT;
     let contact = exact.contact_constants(0).unwrap();
     for eps in [1e-9, 1e-6, 1e-3] {
         let gap = at(eps);
@@ -154,7 +163,7 @@ fn a_pair_that_moves_as_one_body_feels_no_lubrication() {
 
 #[test]
 fn modes_beyond_the_first_do_not_propel_a_lone_squirmer() {
-    let loads = Exact::new().loads(at(1e3), 8).unwrap();
+    let loads = EXACT.loads(at(1e3), 8).unwrap();
     for mode in &loads.modes()[1..] {
         assert!(mode.xf.own().abs() < 1e-5 && mode.yf.own().abs() < 1e-5);
         assert!(mode.yt.own().abs() < 1e-5);
@@ -163,7 +172,7 @@ fn modes_beyond_the_first_do_not_propel_a_lone_squirmer() {
 
 #[test]
 fn gaps_that_are_not_numbers_or_not_positive_are_refused() {
-    let exact = Exact::new();
+    let exact = &*EXACT;
     assert!(matches!(
         exact.loads(Gap::from_ln(f64::NAN), 2),
         Err(SceneError::GapOutsideRange { .. })
@@ -176,7 +185,7 @@ fn gaps_that_are_not_numbers_or_not_positive_are_refused() {
 
 #[test]
 fn more_modes_than_the_loads_hold_are_refused() {
-    let error = Exact::new().loads(at(1.0), 9);
+    let error = EXACT.loads(at(1.0), 9);
     assert_eq!(
         error,
         Err(SceneError::TooManyModes {
@@ -184,13 +193,13 @@ fn more_modes_than_the_loads_hold_are_refused() {
             allowed: 8
         })
     );
-    assert!(Exact::new().contact_constants(9).is_err());
-    assert!(Exact::new().log_slopes(9).is_err());
+    assert!(EXACT.contact_constants(9).is_err());
+    assert!(EXACT.log_slopes(9).is_err());
 }
 
 #[test]
 fn a_series_with_too_many_terms_is_refused() {
-    assert!(Exact::new().series_loads(at(1e-12), 2).is_err());
+    assert!(EXACT.series_loads(at(1e-12), 2).is_err());
     assert!(Exact::with_terms(0.0).is_err());
     assert!(Exact::with_terms(f64::NAN).is_err());
 }
