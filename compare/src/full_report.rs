@@ -187,10 +187,15 @@ fn cost(model: &Model, encounters: &[Encounter]) -> MethodCost {
         .map(|encounter| encounter.seconds)
         .collect();
     let (gaps_evaluated, interpolation_error, limit) = match model.table() {
-        Some((gaps, error, TableLimit::Tolerance(_))) => (gaps, error, "tolerance".to_owned()),
-        Some((gaps, error, TableLimit::Noise(_))) => (gaps, error, "model noise".to_owned()),
-        None if model.is_direct() => (0, f64::NAN, "solved directly".to_owned()),
-        None => (0, f64::NAN, "closed form".to_owned()),
+        Some(table) => {
+            let limit = match table.limit {
+                TableLimit::Tolerance(_) => "tolerance",
+                TableLimit::Noise(_) => "model noise",
+            };
+            (table.evaluations, table.interpolation_error, limit)
+        }
+        None if model.is_direct() => (0, f64::NAN, "solved directly"),
+        None => (0, f64::NAN, "closed form"),
     };
     // A closed form has no error of its own to state; what the formula is worth is another matter.
     let stated = |eps: f64| {
@@ -203,7 +208,7 @@ fn cost(model: &Model, encounters: &[Encounter]) -> MethodCost {
         set_up_seconds: model.set_up_seconds(),
         gaps_evaluated,
         interpolation_error,
-        limit,
+        limit: limit.to_owned(),
         error_at_contact: STATED_GAPS.into_iter().filter_map(stated).collect(),
         seconds_per_run: seconds.iter().sum::<f64>() / seconds.len() as f64,
     }

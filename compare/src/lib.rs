@@ -22,6 +22,6 @@ pub use defaults::{Defaults, EncounterDefaults, OffsetDefaults};
 pub use encounter::{Encounter, EncounterRow, OffsetRow};
 pub use error::CompareError;
 pub use method::Method;
-pub use model::{BEM_TABLE_TOLERANCE, Model, ModelOptions};
+pub use model::{BEM_TABLE_TOLERANCE, EXACT_TABLE_TOLERANCE, Model, ModelOptions};
 pub use numbers::{Numbers, parse_numbers};
 pub use output::{OutputFolder, csv_text};

@@ -9,16 +9,18 @@ pub enum Method {
     Lt,
     /// Lubrication theory with the axial squirming force corrected.
     LtCorrected,
+    /// Bispherical series, to about ten digits: the referee.
+    Exact,
     /// Boundary elements.
     Bem,
 }
 
 impl Method {
     /// All methods.
-    pub const ALL: [Self; 3] = [Self::Lt, Self::LtCorrected, Self::Bem];
+    pub const ALL: [Self; 4] = [Self::Lt, Self::LtCorrected, Self::Exact, Self::Bem];
 
     /// The methods that a command runs when none are named.
-    pub const DEFAULT: [Self; 2] = [Self::Lt, Self::Bem];
+    pub const DEFAULT: [Self; 3] = [Self::Lt, Self::Exact, Self::Bem];
 
     /// Name on the command line and in tables.
     #[must_use]
@@ -26,6 +28,7 @@ impl Method {
         match self {
             Self::Lt => "lt",
             Self::LtCorrected => "lt-corrected",
+            Self::Exact => "exact",
             Self::Bem => "bem",
         }
     }
@@ -36,6 +39,7 @@ impl Method {
         match self {
             Self::Lt => "Lubrication theory",
             Self::LtCorrected => "Lubrication theory, corrected",
+            Self::Exact => "Exact hydrodynamics",
             Self::Bem => "Boundary elements",
         }
     }

@@ -1,13 +1,14 @@
 //! Hydrodynamic models as the commands use them: lubrication, tables, or direct solves.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use bem::Bem;
+use exact::Exact;
 use lt::{Form, Lubrication};
 use scene::{
-    Gap, GapRange, Hydrodynamics, PairLoads, Run, RunOptions, Scene, SceneError, TableLimit,
-    TableOptions, Tabulated, run,
+    Gap, GapRange, Hydrodynamics, PairLoads, Run, RunOptions, Scene, SceneError, TableOptions,
+    TableSummary, Tabulated, run,
 };
 
 use crate::progress::Progress;
@@ -16,6 +17,9 @@ use crate::{CompareError, Method};
 /// Interpolation error of the tables of boundary elements, relative to the larger of the load and
 /// 1: far below their own error, and what a deflection of 0.01 degrees needs with room to spare.
 pub const BEM_TABLE_TOLERANCE: f64 = 1e-6;
+
+/// Interpolation error of the exact tables, relative to the larger of the load and 1.
+pub const EXACT_TABLE_TOLERANCE: f64 = 1e-9;
 
 /// Squirming modes in the tables: all that `beta` calls for.
 const TABLE_MODES: usize = 2;
@@ -41,10 +45,13 @@ impl Default for ModelOptions {
     }
 }
 
+/// Each kind is its own type, so that each has its own compiled loop.
 enum Kind {
     Lubrication(Lubrication),
-    Table(Box<Tabulated<Bem>>),
-    Direct(Box<Bem>),
+    ExactTable(Box<Tabulated<Exact>>),
+    ExactDirect(Box<Exact>),
+    BemTable(Box<Tabulated<Bem>>),
+    BemDirect(Box<Bem>),
 }
 
 /// A method ready to run.
@@ -55,8 +62,8 @@ pub struct Model {
 }
 
 impl Model {
-    /// Sets up `method`: builds the table of boundary elements unless they are to be solved
-    /// directly, showing progress on a terminal.
+    /// Sets up `method`: loads or builds its table unless it is to be solved directly, showing
+    /// progress on a terminal.
     ///
     /// # Errors
     /// [`CompareError`] if the mesh level is not allowed or a solve fails.
@@ -65,12 +72,18 @@ impl Model {
         let kind = match method {
             Method::Lt => Kind::Lubrication(Lubrication::new(Form::Published)),
             Method::LtCorrected => Kind::Lubrication(Lubrication::new(Form::Corrected)),
+            Method::Exact if options.direct => Kind::ExactDirect(Box::new(Exact::new())),
+            Method::Exact => {
+                let table = tabulate(Exact::new(), method, EXACT_TABLE_TOLERANCE, options)?;
+                Kind::ExactTable(Box::new(table))
+            }
             Method::Bem => {
                 let bem = Bem::new(options.mesh)?;
                 if options.direct {
-                    Kind::Direct(Box::new(bem))
+                    Kind::BemDirect(Box::new(bem))
                 } else {
-                    Kind::Table(Box::new(tabulate(bem, options.cache.as_deref())?))
+                    let table = tabulate(bem, method, BEM_TABLE_TOLERANCE, options)?;
+                    Kind::BemTable(Box::new(table))
                 }
             }
         };
@@ -93,22 +106,19 @@ impl Model {
         self.set_up_seconds
     }
 
-    /// Whether every load is a boundary-element solve.
+    /// Whether every load is solved for.
     #[must_use]
     pub fn is_direct(&self) -> bool {
-        matches!(self.kind, Kind::Direct(_))
+        matches!(self.kind, Kind::ExactDirect(_) | Kind::BemDirect(_))
     }
 
-    /// Number of gaps solved for a table, its interpolation error, and what bounded that error.
+    /// How the table was built, if there is one.
     #[must_use]
-    pub fn table(&self) -> Option<(usize, f64, TableLimit)> {
+    pub fn table(&self) -> Option<TableSummary> {
         match &self.kind {
-            Kind::Table(table) => Some((
-                table.evaluations(),
-                table.interpolation_error(),
-                table.limit(),
-            )),
-            _ => None,
+            Kind::ExactTable(table) => Some(table.summary()),
+            Kind::BemTable(table) => Some(table.summary()),
+            Kind::Lubrication(_) | Kind::ExactDirect(_) | Kind::BemDirect(_) => None,
         }
     }
 
@@ -119,16 +129,20 @@ impl Model {
     pub fn run(&self, scene: &Scene, options: &RunOptions) -> Result<Run, SceneError> {
         match &self.kind {
             Kind::Lubrication(model) => run(scene, model, options),
-            Kind::Table(model) => run(scene, model.as_ref(), options),
-            Kind::Direct(model) => run(scene, model.as_ref(), options),
+            Kind::ExactTable(model) => run(scene, model.as_ref(), options),
+            Kind::ExactDirect(model) => run(scene, model.as_ref(), options),
+            Kind::BemTable(model) => run(scene, model.as_ref(), options),
+            Kind::BemDirect(model) => run(scene, model.as_ref(), options),
         }
     }
 
     fn hydrodynamics(&self) -> &dyn Hydrodynamics {
         match &self.kind {
             Kind::Lubrication(model) => model,
-            Kind::Table(model) => model.as_ref(),
-            Kind::Direct(model) => model.as_ref(),
+            Kind::ExactTable(model) => model.as_ref(),
+            Kind::ExactDirect(model) => model.as_ref(),
+            Kind::BemTable(model) => model.as_ref(),
+            Kind::BemDirect(model) => model.as_ref(),
         }
     }
 }
@@ -151,17 +165,25 @@ impl Hydrodynamics for Model {
     }
 }
 
-fn tabulate(bem: Bem, cache: Option<&Path>) -> Result<Tabulated<Bem>, CompareError> {
-    let options = TableOptions {
+fn tabulate<M: Hydrodynamics>(
+    model: M,
+    method: Method,
+    tolerance: f64,
+    options: &ModelOptions,
+) -> Result<Tabulated<M>, CompareError> {
+    let table = TableOptions {
         modes: TABLE_MODES,
-        tolerance: BEM_TABLE_TOLERANCE,
-        smallest_gap: bem.range().smallest,
+        tolerance,
+        smallest_gap: model.range().smallest,
     };
-    let progress = Progress::counting("boundary elements: gaps solved");
+    let progress = Progress::counting(match method {
+        Method::Bem => "boundary elements: gaps solved",
+        _ => "exact loads: gaps solved",
+    });
     let set = |done| progress.set(done);
-    let table = match cache {
-        Some(folder) => Tabulated::load_or_build(bem, options, folder, &set)?,
-        None => Tabulated::build(bem, options, &set)?,
+    let table = match &options.cache {
+        Some(folder) => Tabulated::load_or_build(model, table, folder, &set)?,
+        None => Tabulated::build(model, table, &set)?,
     };
     progress.finish();
     Ok(table)

@@ -30,7 +30,9 @@ pub fn parse_numbers(text: &str) -> Result<Numbers, String> {
             _ => return Err(format!("'{part}' is neither a number nor a range a:b:step")),
         }
         if numbers.len() > MOST {
-            return Err(format!("'{part}' makes the list longer than {MOST} numbers"));
+            return Err(format!(
+                "'{part}' makes the list longer than {MOST} numbers"
+            ));
         }
     }
     Ok(Numbers(numbers))

@@ -10,7 +10,11 @@ pub(crate) struct Progress(ProgressBar);
 impl Progress {
     /// Work of unknown extent, counted.
     pub(crate) fn counting(what: &'static str) -> Self {
-        Self::with(ProgressBar::new_spinner(), "{spinner} {msg}: {pos} [{elapsed}]", what)
+        Self::with(
+            ProgressBar::new_spinner(),
+            "{spinner} {msg}: {pos} [{elapsed}]",
+            what,
+        )
     }
 
     /// Work of `total` pieces, with an estimate of the time left.

@@ -1,5 +1,7 @@
 //! The command line: what it writes, and that bad input costs one clear line and status 2.
 
+#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
+
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -34,8 +36,14 @@ fn rows(path: &Path) -> Vec<csv::StringRecord> {
 fn overlapping_spheres_are_refused() {
     // At dx = 10 with dz = 0 the second squirmer of the orthogonal approach starts at the origin:
     // 10 away. Opposed squirmers can be made to overlap only by a huge offset of the paths.
-    refused(&["orthogonal", "--dx", "10,1e200", "--method", "lt"], "1e200");
-    refused(&["head-on", "--dx", "1", "--dz", "1e308", "--method", "lt"], "1e308");
+    refused(
+        &["orthogonal", "--dx", "10,1e200", "--method", "lt"],
+        "1e200",
+    );
+    refused(
+        &["head-on", "--dx", "1", "--dz", "1e308", "--method", "lt"],
+        "1e308",
+    );
 }
 
 #[test]
@@ -125,11 +133,24 @@ fn loads_writes_all_twenty_two_numbers_of_each_method() {
 #[test]
 fn negative_lists_and_ranges_are_read() {
     let folder = tempfile::tempdir().unwrap();
-    let arguments = ["orthogonal", "--beta", "-1,1,5", "--dx", "1:2:0.5", "--method", "lt"];
+    let arguments = [
+        "orthogonal",
+        "--beta",
+        "-1,1,5",
+        "--dx",
+        "1:2:0.5",
+        "--method",
+        "lt",
+    ];
     assert!(squirmers(folder.path(), &arguments).status.success());
     let rows = rows(&folder.path().join("orthogonal.csv"));
     let beta: Vec<_> = rows.iter().map(|row| row[1].to_owned()).collect();
-    assert_eq!(beta, ["-1.0", "-1.0", "-1.0", "1.0", "1.0", "1.0", "5.0", "5.0", "5.0"]);
+    assert_eq!(
+        beta,
+        [
+            "-1.0", "-1.0", "-1.0", "1.0", "1.0", "1.0", "5.0", "5.0", "5.0"
+        ]
+    );
     assert_eq!(&rows[1][2], "1.5");
 }
 
@@ -142,7 +163,10 @@ fn a_time_limit_names_what_it_skipped() {
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(message.matches("skipped").count(), 5, "{message}");
     let rows = rows(&folder.path().join("head-on.csv"));
-    assert!(rows.iter().all(|row| &row[4] == "NaN" && &row[8] == "failed"));
+    assert!(
+        rows.iter()
+            .all(|row| &row[4] == "NaN" && &row[8] == "failed")
+    );
 }
 
 #[test]

@@ -31,4 +31,4 @@ pub use loads::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
 pub use motion::{Configuration, Counters, Outcome, Run, RunOptions, Sample, run};
 pub use scene::{Orientation, Pose, Scene};
 pub use squirmer::Squirmer;
-pub use tabulated::{FAR_GAP, TableLimit, TableOptions, Tabulated};
+pub use tabulated::{FAR_GAP, TableLimit, TableOptions, TableSummary, Tabulated};

@@ -75,7 +75,10 @@ mod tests {
     #[test]
     fn another_word_a_missing_row_or_a_lost_number_fails() {
         assert!(!close(REFERENCE, &REFERENCE.replace("lt,1", "bem,1")));
-        assert!(!close(REFERENCE, "method,dx,deflection\nlt,1,-1.97074030e1\n"));
+        assert!(!close(
+            REFERENCE,
+            "method,dx,deflection\nlt,1,-1.97074030e1\n"
+        ));
         assert!(!close(REFERENCE, &REFERENCE.replace("NaN", "0.0")));
     }
 }

@@ -1,5 +1,8 @@
 //! Symmetries and limits that every model and every motion must obey.
 
+#![allow(clippy::float_cmp, reason = "exactly equal is what is claimed")]
+#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
+
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use approx::assert_relative_eq;

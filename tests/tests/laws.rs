@@ -1,5 +1,7 @@
 //! Laws of Stokes flow about one sphere and about two, by boundary elements in the laboratory frame.
 
+#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
+
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
@@ -30,7 +32,11 @@ fn val_drag_on_a_sphere_is_six_pi() {
         ..at_rest()
     };
     let load = lab.loads(&[motion]).unwrap()[0];
-    assert_relative_eq!(load.force, velocity * (-6.0 * PI), max_relative = MESH_ERROR);
+    assert_relative_eq!(
+        load.force,
+        velocity * (-6.0 * PI),
+        max_relative = MESH_ERROR
+    );
 }
 
 #[test]
@@ -72,7 +78,13 @@ fn resistance(lab: &Lab) -> Vec<Vec<f64>> {
             }
             let loads = lab.loads(&motions).unwrap();
             (loads.iter())
-                .flat_map(|load| load.force.iter().chain(load.torque.iter()).copied().collect::<Vec<_>>())
+                .flat_map(|load| {
+                    load.force
+                        .iter()
+                        .chain(load.torque.iter())
+                        .copied()
+                        .collect::<Vec<_>>()
+                })
                 .collect()
         })
         .collect()
@@ -80,7 +92,10 @@ fn resistance(lab: &Lab) -> Vec<Vec<f64>> {
 
 fn crooked_pair() -> [Body; 2] {
     let separation = Vector3::new(1.1, -1.7, 1.3);
-    let [a, b] = [Vector3::new(0.2, 0.1, -0.4), Vector3::new(0.2, 0.1, -0.4) + separation];
+    let [a, b] = [
+        Vector3::new(0.2, 0.1, -0.4),
+        Vector3::new(0.2, 0.1, -0.4) + separation,
+    ];
     [
         Body::squirmer(a, Vector3::new(0.6, 0.8, 0.0), &[1.5, 3.0]),
         Body::squirmer(b, Vector3::new(0.0, -0.6, 0.8), &[1.5, -1.5]),
@@ -156,15 +171,25 @@ fn a_rotated_pair_moves_rotated() {
     let plain = Lab::new(LEVEL, &bodies).unwrap().free_motions().unwrap();
     let turned = Lab::new(LEVEL, &rotated).unwrap().free_motions().unwrap();
     for k in 0..2 {
-        assert_relative_eq!(turned[k].velocity, rotation * plain[k].velocity, epsilon = 2.0 * MESH_ERROR);
+        assert_relative_eq!(
+            turned[k].velocity,
+            rotation * plain[k].velocity,
+            epsilon = 2.0 * MESH_ERROR
+        );
     }
 }
 
 #[test]
 fn val_two_spheres_far_apart_do_not_interact() {
-    let loads = Bem::new(LEVEL).unwrap().loads(Gap::new(1e7).unwrap(), 2).unwrap();
+    let loads = Bem::new(LEVEL)
+        .unwrap()
+        .loads(Gap::new(1e7).unwrap(), 2)
+        .unwrap();
     for (column, isolated) in loads.named().iter().zip(PairLoads::isolated(2).named()) {
-        assert!((column.1 - isolated.1).abs() < 4.0 * MESH_ERROR, "{column:?}");
+        assert!(
+            (column.1 - isolated.1).abs() < 4.0 * MESH_ERROR,
+            "{column:?}"
+        );
     }
 }
 

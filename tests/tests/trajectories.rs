@@ -1,6 +1,9 @@
 //! Trajectories by tabulated boundary elements: against direct solves, against themselves in three
 //! dimensions, and against their own past.
 
+#![allow(clippy::float_cmp, reason = "exactly equal is what is claimed")]
+#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
+
 use std::sync::OnceLock;
 
 use compare::sweep::{SweepOptions, encounters, offsets};
@@ -60,7 +63,8 @@ fn snapshot(name: &str, text: &str) {
 }
 
 fn encounter_text(encounters: &[Encounter]) -> String {
-    let mut text = "method,beta,dx,deflection1_deg,deflection2_deg,min_gap,duration,outcome\n".to_owned();
+    let mut text =
+        "method,beta,dx,deflection1_deg,deflection2_deg,min_gap,duration,outcome\n".to_owned();
     for row in encounters.iter().map(Encounter::row) {
         text += &format!(
             "{},{},{},{:.8e},{:.8e},{:.8e},{:.8e},{}\n",
@@ -85,7 +89,11 @@ fn regress_head_on_deflections() {
 
 #[test]
 fn regress_orthogonal_deflections() {
-    let encounters = encounters(models(), &paper_cases(Approach::Orthogonal), &options(TIGHT));
+    let encounters = encounters(
+        models(),
+        &paper_cases(Approach::Orthogonal),
+        &options(TIGHT),
+    );
     snapshot("orthogonal", &encounter_text(&encounters));
 }
 

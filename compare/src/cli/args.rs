@@ -36,9 +36,7 @@ pub(crate) struct Arguments {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Loads of the pair at given gaps: resistance scalars and loads of squirming modes 1 and 2
-    #[command(
-        after_help = "Example:\n  squirmers loads --gap 1,0.1,0.01 --method lt,bem --direct"
-    )]
+    #[command(after_help = "Example:\n  squirmers loads --gap 1,0.1,0.01 --method lt,bem --direct")]
     Loads {
         /// Gaps eps = |x2-x1|/a - 2, each greater than 0
         #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
@@ -92,7 +90,7 @@ pub(crate) struct EncounterArguments {
 
 #[derive(Debug, Args)]
 pub(crate) struct ModelArguments {
-    /// Methods: lt (as published), lt-corrected, bem [default: lt,bem]
+    /// Methods: lt (as published), lt-corrected, exact, bem [default: lt,exact,bem]
     #[arg(long, value_name = "LIST", value_parser = parse_methods)]
     pub method: Option<Methods>,
     /// Refinement level of the boundary elements
@@ -106,7 +104,12 @@ pub(crate) struct ModelArguments {
 #[derive(Debug, Args)]
 pub(crate) struct RunArguments {
     /// Tolerance of a trajectory's steps
-    #[arg(long, value_name = "TOL", default_value_t = 1e-8, allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "TOL",
+        default_value_t = 1e-8,
+        allow_hyphen_values = true
+    )]
     pub tol: f64,
     /// Begin no further run after this time; those left out are reported
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]

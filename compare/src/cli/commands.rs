@@ -72,7 +72,11 @@ fn sweep_options(arguments: &RunArguments) -> Result<SweepOptions, CompareError>
     let time_limit = match arguments.time_limit {
         None => None,
         Some(seconds) => Some(Duration::try_from_secs_f64(seconds).map_err(|_| {
-            CompareError::input("--time-limit", seconds, "give a number of seconds, 0 or more")
+            CompareError::input(
+                "--time-limit",
+                seconds,
+                "give a number of seconds, 0 or more",
+            )
         })?),
     };
     Ok(SweepOptions {
@@ -162,7 +166,9 @@ fn encounter(
     let defaults = Defaults::paper()?;
     let defaults = defaults.encounters(approach);
     let list = |given: &Option<Numbers>, default: &[f64]| {
-        given.as_ref().map_or(default.to_vec(), |list| list.0.clone())
+        given
+            .as_ref()
+            .map_or(default.to_vec(), |list| list.0.clone())
     };
     let cases = cases(
         approach,
@@ -241,7 +247,16 @@ fn offset(
         out.write(&picture.file_name, &picture.svg)?;
     }
     print_rows(
-        &["case", "method", "beta", "dx", "dz", "change 1 [deg]", "change 2 [deg]", "min gap"],
+        &[
+            "case",
+            "method",
+            "beta",
+            "dx",
+            "dz",
+            "change 1 [deg]",
+            "change 2 [deg]",
+            "min gap",
+        ],
         rows.iter().map(|row| {
             vec![
                 row.case.clone(),
@@ -261,8 +276,17 @@ fn offset(
 
 fn print_encounters(encounters: &[Encounter]) {
     let header = [
-        "method", "beta", "dx", "dz", "deflection 1 [deg]", "deflection 2 [deg]", "min gap",
-        "duration", "outcome", "steps", "seconds",
+        "method",
+        "beta",
+        "dx",
+        "dz",
+        "deflection 1 [deg]",
+        "deflection 2 [deg]",
+        "min gap",
+        "duration",
+        "outcome",
+        "steps",
+        "seconds",
     ];
     print_rows(
         &header,

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use super::chebyshev::{MAX_DEGREE, coefficients, points};
-use super::{FAR_GAP, Piece, Table, TableLimit, Tabulated};
+use super::{FAR_GAP, Piece, Table, TableLimit, TableSummary, Tabulated};
 use crate::{Gap, GapRange, Hydrodynamics, MAX_MODES, SceneError, singular};
 
 /// How to build a table.
@@ -104,9 +104,11 @@ impl<M: Hydrodynamics> Tabulated<M> {
             range,
             near,
             far,
-            limit,
-            interpolation_error: near_error.max(far_error),
-            evaluations,
+            summary: TableSummary {
+                limit,
+                interpolation_error: near_error.max(far_error),
+                evaluations,
+            },
         };
         Ok(Self { model, table })
     }

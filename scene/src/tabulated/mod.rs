@@ -28,6 +28,17 @@ pub enum TableLimit {
     Noise(f64),
 }
 
+/// How a table was built.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TableSummary {
+    /// What the interpolation error was brought down to.
+    pub limit: TableLimit,
+    /// Estimate of the largest interpolation error, relative to the larger of the load and 1.
+    pub interpolation_error: f64,
+    /// Number of gaps at which the model was evaluated.
+    pub evaluations: usize,
+}
+
 /// An interval of the table's coordinate with its interpolant.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Piece {
@@ -62,9 +73,7 @@ struct Table {
     near: Vec<Piece>,
     /// In `1/r`, ascending.
     far: Vec<Piece>,
-    limit: TableLimit,
-    interpolation_error: f64,
-    evaluations: usize,
+    summary: TableSummary,
 }
 
 impl<M> Tabulated<M> {
@@ -73,19 +82,9 @@ impl<M> Tabulated<M> {
         &self.model
     }
 
-    /// What the interpolation error was brought down to.
-    pub fn limit(&self) -> TableLimit {
-        self.table.limit
-    }
-
-    /// Estimate of the largest interpolation error, relative to the larger of the load and 1.
-    pub fn interpolation_error(&self) -> f64 {
-        self.table.interpolation_error
-    }
-
-    /// Number of gaps at which the model was evaluated.
-    pub fn evaluations(&self) -> usize {
-        self.table.evaluations
+    /// How the table was built.
+    pub fn summary(&self) -> TableSummary {
+        self.table.summary
     }
 }
 
@@ -138,11 +137,11 @@ impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
 
     fn error_estimate(&self, gap: Gap, _modes: usize) -> Result<f64, SceneError> {
         let (piece, _) = self.table.piece(gap)?;
-        Ok(piece.error + self.table.interpolation_error)
+        Ok(piece.error + self.table.summary.interpolation_error)
     }
 
     fn noise(&self) -> f64 {
-        self.table.interpolation_error
+        self.table.summary.interpolation_error
     }
 
     fn fingerprint(&self) -> String {

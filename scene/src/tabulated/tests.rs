@@ -66,7 +66,7 @@ fn table(seam: Option<f64>, noise: f64, tolerance: f64) -> Tabulated<Made> {
 fn a_table_agrees_with_its_model_between_its_nodes() {
     for tolerance in [1e-6, 1e-9] {
         let table = table(Some(0.3), 1e-14, tolerance);
-        assert_eq!(table.limit(), TableLimit::Tolerance(tolerance));
+        assert_eq!(table.summary().limit, TableLimit::Tolerance(tolerance));
         for i in 0..400 {
             let gap = Gap::from_ln(-6.9 + 0.047 * f64::from(i));
             let expected = table.model().loads(gap, 2).unwrap();
@@ -101,8 +101,8 @@ fn a_table_jumps_at_a_seam_as_its_model_does() {
 fn a_table_stops_at_the_noise_of_its_model_and_says_so() {
     let fine = table(None, 1e-14, 1e-12);
     let noisy = table(None, 1e-5, 1e-12);
-    assert_eq!(noisy.limit(), TableLimit::Noise(1e-5));
-    assert!(noisy.evaluations() < fine.evaluations());
+    assert_eq!(noisy.summary().limit, TableLimit::Noise(1e-5));
+    assert!(noisy.summary().evaluations < fine.summary().evaluations);
 }
 
 #[test]

@@ -1,0 +1,148 @@
+//! Axisymmetric flow without swirl: both spheres move or squirm along their line of centres.
+//!
+//! With lengths in units of `c` the flow is `u = x q/2 + h`, pressure `q` and `h` harmonic:
+//!
+//! ```text
+//! u_z = z q/2 + w,  u_rho = rho q/2 + v,   L_0 q = L_0 w = L_1 v = 0,
+//! 3 q + r dq/dr + 2 [dw/dz + (d/drho + 1/rho) v] = 0
+//! ```
+//!
+//! the axisymmetric case of the solution of Lee & Leal, *J. Fluid Mech.* 98 (1980) 193. The drags
+//! are those of Stimson & Jeffery, *Proc. R. Soc. A* 111 (1926) 110. Force on the fluid:
+//! `8 pi sqrt(2) c Σ w_n^+`, the charge of the singular part of `h_z`.
+
+use crate::ExactError;
+use crate::geometry::{Geometry, Parity};
+use crate::stencil::{
+    Stencil, axial_derivative, divergence_of_position_times, in_next_derivative,
+    lowering_derivative, times_denominator,
+};
+use crate::surface::{Surface, combine};
+use crate::system::{Field, Series, System};
+
+const CONTINUITY: usize = 0;
+const AXIAL: usize = 1;
+const RADIAL: usize = 2;
+const FIELDS: usize = 3;
+
+/// The fields of a solution.
+#[derive(Clone, Copy, Debug)]
+pub struct Fields {
+    /// `q`.
+    pub pressure: Field,
+    /// `w`.
+    pub axial: Field,
+    /// `v`.
+    pub radial: Field,
+}
+
+/// The flows of one parity: rigid translation along `d`, then the squirming modes 1, 2, ….
+pub struct Axial {
+    geometry: Geometry,
+    /// The fields.
+    pub fields: Fields,
+    /// Their coefficients.
+    pub series: Series,
+}
+
+/// Boundary velocity times `S^(1/2)`: `u_z` in `P_n`, `u_rho` in `sin(eta) P_n'`.
+struct Boundary {
+    axial: Vec<f64>,
+    radial: Vec<f64>,
+}
+
+impl Axial {
+    /// Solves for translation and `modes` squirming modes.
+    pub fn solve(geometry: Geometry, parity: Parity, modes: usize) -> Result<Self, ExactError> {
+        let field = |index, order, envelope| Field {
+            index,
+            order,
+            envelope,
+        };
+        let fields = Fields {
+            axial: field(0, 0, parity.flipped()),
+            pressure: field(1, 0, parity),
+            radial: field(2, 1, parity),
+        };
+        let cases = boundary_velocities(geometry, modes);
+        let system = assemble(geometry, parity, &fields);
+        let series = system.solve(right_hand_sides(geometry, &cases), cases.len())?;
+        Ok(Self {
+            geometry,
+            fields,
+            series,
+        })
+    }
+
+    /// Force of the fluid on sphere 1 along `d`, over `pi`.
+    pub fn force(&self, case: usize) -> f64 {
+        let charge = self
+            .series
+            .singular_sum(&self.geometry, self.fields.axial, case, |_| 1.0);
+        8.0 * std::f64::consts::SQRT_2 * self.geometry.sinh * charge
+    }
+}
+
+fn assemble(geometry: Geometry, parity: Parity, fields: &Fields) -> System {
+    let mut system = System::new(geometry, FIELDS);
+    for n in 0..=geometry.degree {
+        continuity(&mut system, n, parity, fields);
+        let pressure = Stencil::diagonal(0.5 * geometry.sinh);
+        system.on_sphere(n, AXIAL, fields.pressure, pressure);
+        let axial = times_denominator(n, 0, geometry.cosh);
+        system.on_sphere(n, AXIAL, fields.axial, axial);
+        if n == 0 {
+            system.absent(n, RADIAL, fields.radial);
+            continue;
+        }
+        let radial = times_denominator(n, 1, geometry.cosh);
+        system.on_sphere(n, RADIAL, fields.radial, radial);
+        let pressure = in_next_derivative(n).scaled(0.5);
+        system.on_sphere(n, RADIAL, fields.pressure, pressure);
+    }
+    system
+}
+
+fn continuity(system: &mut System, n: usize, parity: Parity, fields: &Fields) {
+    // Rows of equal size keep the pivoting sound.
+    let scale = 1.0 / (n as f64 + 1.0);
+    for (field, weights) in [
+        (fields.pressure, divergence_of_position_times(n, 0)),
+        (fields.radial, lowering_derivative(n, 0).scaled(2.0)),
+        (fields.axial, axial_derivative(n, 0).scaled(2.0)),
+    ] {
+        system.in_space(n, CONTINUITY, parity, field, weights.scaled(scale));
+    }
+}
+
+/// Slip `W_k(x) (x n - d)`, `W_k = 2 P_k'/(k(k+1))`, with `d = -z`; translation with `u = d`.
+fn boundary_velocities(geometry: Geometry, modes: usize) -> Vec<Boundary> {
+    let on_axis = Surface::new(geometry, 0);
+    let off_axis = Surface::new(geometry, 1);
+    let (values, radial) = (on_axis.legendre(modes), off_axis.legendre(modes));
+    let translation = Boundary {
+        axial: values.value[0].iter().map(|v| -v).collect(),
+        radial: vec![0.0; geometry.degree + 1],
+    };
+    let slip = (1..=modes).map(|k| {
+        let weight = 2.0 / (k * (k + 1)) as f64;
+        let slope = &values.first[k];
+        let square = on_axis.times_cosine(&on_axis.times_cosine(slope));
+        let tangent = off_axis.times_cosine(&radial.first[k]);
+        Boundary {
+            axial: combine(weight, slope, -weight, &square),
+            radial: tangent.iter().map(|v| weight * v).collect(),
+        }
+    });
+    std::iter::once(translation).chain(slip).collect()
+}
+
+fn right_hand_sides(geometry: Geometry, cases: &[Boundary]) -> Vec<f64> {
+    let mut rhs = Vec::with_capacity(FIELDS * (geometry.degree + 1) * cases.len());
+    for n in 0..=geometry.degree {
+        rhs.extend(cases.iter().map(|_| 0.0));
+        rhs.extend(cases.iter().map(|c| c.axial[n]));
+        rhs.extend(cases.iter().map(|c| c.radial[n]));
+    }
+    rhs
+}

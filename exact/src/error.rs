@@ -1,0 +1,64 @@
+//! What the crate can refuse or fail at.
+
+use scene::SceneError;
+
+/// Everything that this crate can refuse or fail at, with the offending numbers.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ExactError {
+    /// A factor on the number of terms outside the allowed interval.
+    #[error("factor {factor} on the number of terms is not allowed: it must lie in [0.25, 16]")]
+    InvalidTermsFactor {
+        /// The factor.
+        factor: f64,
+    },
+    /// The series would need more terms than is sensible; the near-contact form serves there.
+    #[error("the series needs {terms} terms at gap {eps:e}: at most {allowed} are allowed")]
+    TooManyTerms {
+        /// The gap, in sphere radii.
+        eps: f64,
+        /// Terms that the series would need.
+        terms: usize,
+        /// Terms allowed.
+        allowed: usize,
+    },
+    /// More squirming modes than [`scene::PairLoads`] holds.
+    #[error("{modes} squirming modes are too many: at most {allowed} are allowed")]
+    TooManyModes {
+        /// Modes asked for.
+        modes: usize,
+        /// Modes allowed.
+        allowed: usize,
+    },
+    /// A gap that is not positive and finite was given to the series.
+    #[error("gap {eps:e} is not allowed: the series needs a positive finite gap")]
+    InvalidGap {
+        /// The gap, in sphere radii.
+        eps: f64,
+    },
+    /// A banded system lost its pivot: its unknown `row` cannot be determined.
+    #[error("the banded system of {size} unknowns is singular at row {row}")]
+    Singular {
+        /// Row without a pivot.
+        row: usize,
+        /// Number of unknowns.
+        size: usize,
+    },
+    /// The least squares for the near-contact constants has dependent columns.
+    #[error("the near-contact fit over {gaps} gaps is singular")]
+    SingularFit {
+        /// Number of gaps fitted.
+        gaps: usize,
+    },
+}
+
+impl From<ExactError> for SceneError {
+    fn from(error: ExactError) -> Self {
+        match error {
+            ExactError::TooManyModes { modes, allowed } => Self::TooManyModes { modes, allowed },
+            other => Self::Model {
+                model: "exact",
+                reason: other.to_string(),
+            },
+        }
+    }
+}

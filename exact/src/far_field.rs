@@ -1,0 +1,61 @@
+//! Far apart the loads are power series in the inverse distance of the centres.
+//!
+//! ```text
+//! load = isolated + Σ_(p=1..8) c_p r^-p,   r = 2 + eps
+//! ```
+//!
+//! (the method of reflections: Happel & Brenner, *Low Reynolds number hydrodynamics*, 1965,
+//! chapter 6; convergent for r > 2). There the bispherical series loses digits in proportion to
+//! `r`, because its pressure is multiplied by the distance from the mirror plane. The factors are
+//! fitted to the series' own loads at gaps where it loses none, and checked at gaps not fitted.
+
+use scene::{Gap, MAX_MODES, PairLoads};
+
+use crate::ExactError;
+use crate::fit::{Fit, geometric, largest_error, sum};
+
+/// Largest gap at which the series is used.
+pub const SERIES_TO: f64 = 100.0;
+const FIT_FROM: f64 = 20.0;
+const FIT_TO: f64 = 400.0;
+const FITTED_GAPS: usize = 24;
+const POWERS: usize = 8;
+const CONTROL_GAPS: [f64; 3] = [77.0, 101.0, 333.0];
+
+/// The far form with its fitted factors, for all squirming modes.
+#[derive(Clone, Debug)]
+pub struct FarField {
+    fit: Fit,
+    error: f64,
+}
+
+impl FarField {
+    /// Fits the form.
+    pub fn fit() -> Result<Self, ExactError> {
+        let gaps = geometric(FIT_FROM, FIT_TO, FITTED_GAPS);
+        let fit = Fit::new(&gaps, MAX_MODES, inverse_powers, |_, modes| {
+            PairLoads::isolated(modes)
+        })?;
+        let mut form = Self { fit, error: 0.0 };
+        form.error = largest_error(&CONTROL_GAPS, MAX_MODES, |gap| form.loads(gap, MAX_MODES))?;
+        Ok(form)
+    }
+
+    /// The loads at `gap`, of up to [`MAX_MODES`] modes.
+    pub fn loads(&self, gap: Gap, modes: usize) -> PairLoads {
+        let interaction = self.fit.combine(&inverse_powers(gap), modes);
+        sum(&PairLoads::isolated(modes), &interaction, modes)
+    }
+
+    /// Largest difference from the series at gaps not fitted, relative to the larger of the load
+    /// and 1.
+    pub fn error(&self) -> f64 {
+        self.error
+    }
+}
+
+fn inverse_powers(gap: Gap) -> Vec<f64> {
+    (1..=POWERS)
+        .map(|p| gap.distance().powi(-(p as i32)))
+        .collect()
+}

@@ -1,0 +1,32 @@
+//! The referee: loads of two equal squirming spheres to about ten digits, for every gap.
+//!
+//! Bispherical coordinates turn Stokes flow about two spheres into recurrences between neighbouring
+//! degrees: [`Exact`] solves them as banded systems, so that the thousands of terms that close
+//! spheres need cost milliseconds. Near contact and far apart the series' own limiting forms take
+//! over.
+//!
+//! Units, signs and names of the loads are those of [`scene::loads`].
+
+mod axial;
+mod banded;
+mod error;
+mod far_field;
+mod field;
+mod fit;
+mod geometry;
+mod model;
+mod near_contact;
+mod series;
+mod stencil;
+mod surface;
+mod system;
+mod transverse;
+mod twist;
+
+#[cfg(test)]
+mod reciprocal_theorem;
+
+pub use error::ExactError;
+pub use far_field::SERIES_TO;
+pub use model::Exact;
+pub use near_contact::SERIES_FROM;

@@ -1,0 +1,89 @@
+//! Near contact the series give way to their own asymptotic form.
+//!
+//! ```text
+//! load = singular + c_0 + Σ_(p=1..4) eps^p (l_p L + c_p),   L = ln(1/eps)
+//! ```
+//!
+//! The singular parts are known (see [`scene::singular`]; the powers after Jeffrey & Onishi, *J.
+//! Fluid Mech.* 139 (1984) 261); the rest is fitted by least squares to the series' own loads
+//! between the gaps [`SERIES_FROM`] and [`FIT_TO`], where neither rounding (which grows as `1/eps`)
+//! nor the omitted `eps^5 L` matter. The error is measured at gaps that were not fitted, one of
+//! them below the fit.
+
+use scene::{Gap, MAX_MODES, PairLoads, singular};
+
+use crate::ExactError;
+use crate::fit::{Fit, geometric, largest_error, sum};
+
+/// Smallest gap at which the series is used; below, its asymptotic form continues it.
+pub const SERIES_FROM: f64 = 1e-4;
+const FIT_TO: f64 = 1e-2;
+const FITTED_GAPS: usize = 60;
+const POWERS: usize = 4;
+const CONTROL_GAPS: [f64; 3] = [5e-5, 1.3e-4, 7.7e-4];
+
+/// The asymptotic form with its fitted constants, for all squirming modes.
+#[derive(Clone, Debug)]
+pub struct NearContact {
+    fit: Fit,
+    error: f64,
+}
+
+impl NearContact {
+    /// Fits the form.
+    pub fn fit() -> Result<Self, ExactError> {
+        let gaps = geometric(SERIES_FROM, FIT_TO, FITTED_GAPS);
+        let fit = Fit::new(&gaps, MAX_MODES, regular_functions, diverging)?;
+        let mut form = Self { fit, error: 0.0 };
+        form.error = largest_error(&CONTROL_GAPS, MAX_MODES, |gap| form.loads(gap, MAX_MODES))?;
+        Ok(form)
+    }
+
+    /// The loads at `gap`, of up to [`MAX_MODES`] modes.
+    pub fn loads(&self, gap: Gap, modes: usize) -> PairLoads {
+        let regular = self.fit.combine(&regular_functions(gap), modes);
+        sum(&diverging(gap, modes), &regular, modes)
+    }
+
+    /// What is left of the loads at contact when their singular parts are taken out.
+    pub fn constants(&self) -> PairLoads {
+        self.fit.factors(0)
+    }
+
+    /// Largest difference from the series at gaps not fitted, relative to the larger of the load
+    /// and 1.
+    pub fn error(&self) -> f64 {
+        self.error
+    }
+}
+
+/// The factors of `L` fitted freely to the loads at gaps between 1e-4 and 1e-3, with nothing known
+/// beforehand but the form `s L + c + eps (l L + b) + k/eps`.
+pub fn log_slopes(modes: usize) -> Result<PairLoads, ExactError> {
+    let gaps = geometric(SERIES_FROM, 1e-3, 10);
+    let fit = Fit::new(&gaps, modes, singular_functions, |_, modes| {
+        PairLoads::zero(modes)
+    })?;
+    Ok(fit.factors(0))
+}
+
+/// The known diverging parts.
+fn diverging(gap: Gap, modes: usize) -> PairLoads {
+    singular::loads(gap, modes, singular::AXIAL_SQUIRMING)
+}
+
+fn regular_functions(gap: Gap) -> Vec<f64> {
+    let (eps, log) = (gap.eps(), gap.log_inverse());
+    let mut functions = vec![1.0];
+    let mut power = 1.0;
+    for _ in 0..POWERS {
+        power *= eps;
+        functions.extend([power * log, power]);
+    }
+    functions
+}
+
+fn singular_functions(gap: Gap) -> Vec<f64> {
+    let (eps, log) = (gap.eps(), gap.log_inverse());
+    vec![log, 1.0, eps * log, eps, 1.0 / eps]
+}

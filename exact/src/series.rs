@@ -1,0 +1,118 @@
+//! All loads of a pair from the bispherical series: two parities of two problems, and the twist.
+//!
+//! Sphere 1 alone moving or squirming is half the sum of the even and the odd problem, and the load
+//! on sphere 2 is the mirror image of half their difference. A mirror turns round axial forces and
+//! transverse torques; so the sum of the scalars of sphere 1 and 2 is the odd problem there, the
+//! even one for transverse forces and axial torques.
+
+use scene::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
+
+use crate::ExactError;
+use crate::axial::Axial;
+use crate::field::{SurfacePoint, axial_residual, scattered_points, transverse_residual};
+use crate::geometry::{Geometry, Parity};
+use crate::transverse::{ROTATION, TRANSLATION, Transverse};
+use crate::twist;
+
+/// The solved problems of one gap.
+pub struct Solved {
+    geometry: Geometry,
+    modes: usize,
+    axial: EvenOdd<Axial>,
+    transverse: EvenOdd<Transverse>,
+}
+
+struct EvenOdd<T> {
+    even: T,
+    odd: T,
+}
+
+impl<T> EvenOdd<T> {
+    fn new(solve: impl Fn(Parity) -> Result<T, ExactError>) -> Result<Self, ExactError> {
+        Ok(Self {
+            even: solve(Parity::Even)?,
+            odd: solve(Parity::Odd)?,
+        })
+    }
+
+    fn even_is_sum(&self, load: impl Fn(&T) -> f64) -> SelfOther {
+        SelfOther {
+            sum: load(&self.even),
+            difference: load(&self.odd),
+        }
+    }
+
+    fn odd_is_sum(&self, load: impl Fn(&T) -> f64) -> SelfOther {
+        SelfOther {
+            sum: load(&self.odd),
+            difference: load(&self.even),
+        }
+    }
+}
+
+impl Solved {
+    /// Solves at the gap `eps`, with `factor` times the terms that reach rounding.
+    pub fn new(eps: f64, modes: usize, factor: f64) -> Result<Self, ExactError> {
+        if modes > MAX_MODES {
+            return Err(ExactError::TooManyModes {
+                modes,
+                allowed: MAX_MODES,
+            });
+        }
+        let geometry = Geometry::new(eps, modes, factor)?;
+        Ok(Self {
+            geometry,
+            modes,
+            axial: EvenOdd::new(|parity| Axial::solve(geometry, parity, modes))?,
+            transverse: EvenOdd::new(|parity| Transverse::solve(geometry, parity, modes))?,
+        })
+    }
+
+    /// The loads.
+    pub fn loads(&self) -> PairLoads {
+        let mut loads = PairLoads::zero(self.modes);
+        let transverse = &self.transverse;
+        loads.xa = self.axial.odd_is_sum(|a| a.force(0) / -6.0);
+        loads.ya = transverse.even_is_sum(|t| t.force(TRANSLATION) / -6.0);
+        // The force by rotation has fewer cancelling terms than the torque by translation.
+        loads.yb = transverse.even_is_sum(|t| t.force(ROTATION) / 4.0);
+        loads.xc = twist::axial_rotation(&self.geometry);
+        loads.yc = transverse.odd_is_sum(|t| t.torque(ROTATION) / -8.0);
+        for (k, mode) in loads.modes_mut().iter_mut().enumerate() {
+            *mode = ModeLoads {
+                xf: self.axial.odd_is_sum(|a| a.force(1 + k)),
+                yf: transverse.even_is_sum(|t| t.force(2 + k)),
+                yt: transverse.odd_is_sum(|t| t.torque(2 + k)),
+            };
+        }
+        loads
+    }
+
+    /// The loads again where a second formula gives them: torques from the axial field, and `YB`
+    /// from the torque by translation instead of the force by rotation.
+    pub fn loads_by_second_formula(&self) -> PairLoads {
+        let mut loads = self.loads();
+        let transverse = &self.transverse;
+        loads.yb = transverse.even_is_sum(|t| t.torque(TRANSLATION) / 4.0);
+        loads.yc = transverse.odd_is_sum(|t| t.torque_by_axial_field(ROTATION) / -8.0);
+        for (k, mode) in loads.modes_mut().iter_mut().enumerate() {
+            mode.yt = transverse.odd_is_sum(|t| t.torque_by_axial_field(2 + k));
+        }
+        loads
+    }
+}
+
+impl Solved {
+    /// Largest difference between the solved flows and their boundary velocities (of order 1) at
+    /// `2 count` surface points, none of which the solution knows of.
+    pub fn residual(&self, count: usize) -> f64 {
+        let points: Vec<SurfacePoint> = scattered_points(&self.geometry, count)
+            .into_iter()
+            .map(|mu| SurfacePoint::new(self.geometry, mu))
+            .collect();
+        let axial = [&self.axial.even, &self.axial.odd].map(|flow| axial_residual(flow, &points));
+        let transverse = [&self.transverse.even, &self.transverse.odd]
+            .map(|flow| transverse_residual(flow, &points));
+        axial.into_iter().chain(transverse).fold(0.0, f64::max)
+    }
+}

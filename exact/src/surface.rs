@@ -1,0 +1,193 @@
+//! Polynomials of the surface position as series on the sphere `xi = alpha`.
+//!
+//! Boundary velocities are polynomials in `x = n.d` times a power of the distance `rho` from the
+//! axis. With `S = cosh(alpha) - mu` they are wanted times `S^(1/2)`, in `sin^m(eta) P_n^(m)`. From
+//! the generating function of the Legendre polynomials and its derivatives by `mu`,
+//!
+//! ```text
+//! S^(1/2) rho^m = {-1/2, sinh(alpha), 2 sinh^2(alpha)}_m  sin^m(eta)  Σ_(n>=m) g_n P_n^(m)(mu),
+//! g_n = sqrt(2) e^(-(n+1/2) alpha) [4 e^alpha + 2 (2n-1) sinh(alpha)] / ((2n-1)(2n+3)),
+//! ```
+//!
+//! where nothing cancels. A factor `x = (1 - mu cosh(alpha))/S = cosh(alpha) - sinh^2(alpha)/S`
+//! costs one tridiagonal solve, because `S` couples neighbours only and dominates its diagonal.
+
+use crate::geometry::Geometry;
+use crate::stencil::{Stencil, times_denominator, times_mu};
+
+/// Series on the sphere of azimuthal order `m`, with all that is needed to multiply them by `x`.
+pub struct Surface {
+    geometry: Geometry,
+    order: usize,
+    unit: Vec<f64>,
+    /// Thomas algorithm for `S`: multipliers below, pivots, entries above.
+    below: Vec<f64>,
+    pivots: Vec<f64>,
+    above: Vec<f64>,
+}
+
+/// `P_k(x)`, `P_k'(x)`, `P_k''(x)` times `S^(1/2) rho^m`, for `k = 0, 1, ...`.
+pub struct LegendreSeries {
+    /// `P_k(x)`.
+    pub value: Vec<Vec<f64>>,
+    /// `P_k'(x)`.
+    pub first: Vec<Vec<f64>>,
+    /// `P_k''(x)`.
+    pub second: Vec<Vec<f64>>,
+}
+
+impl Surface {
+    /// Series of azimuthal order `order` (0, 1 or 2).
+    pub fn new(geometry: Geometry, order: usize) -> Self {
+        let mut surface = Self {
+            geometry,
+            order,
+            unit: unit(&geometry, order),
+            below: Vec::new(),
+            pivots: Vec::new(),
+            above: Vec::new(),
+        };
+        surface.factor();
+        surface
+    }
+
+    fn factor(&mut self) {
+        let size = self.geometry.degree + 1;
+        let (mut above_previous, mut pivot) = (0.0, 1.0);
+        for n in 0..size {
+            let row = self.row(n);
+            let below = if n > self.order {
+                row.below / pivot
+            } else {
+                0.0
+            };
+            pivot = row.at - below * above_previous;
+            above_previous = row.above;
+            self.below.push(below);
+            self.pivots.push(pivot);
+            self.above.push(row.above);
+        }
+    }
+
+    fn row(&self, n: usize) -> Stencil {
+        if n < self.order {
+            Stencil::diagonal(1.0)
+        } else {
+            times_denominator(n, self.order, self.geometry.cosh)
+        }
+    }
+
+    fn over_denominator(&self, mut series: Vec<f64>) -> Vec<f64> {
+        for n in 1..series.len() {
+            series[n] -= self.below[n] * series[n - 1];
+        }
+        let mut above = 0.0;
+        for (n, value) in series.iter_mut().enumerate().rev() {
+            *value = (*value - self.above[n] * above) / self.pivots[n];
+            above = *value;
+        }
+        series
+    }
+
+    /// `x` times a series. Close spheres take the form where nearly equal terms do not cancel for
+    /// small `alpha`, distant ones the other.
+    pub fn times_cosine(&self, series: &[f64]) -> Vec<f64> {
+        let Geometry {
+            alpha, sinh, cosh, ..
+        } = self.geometry;
+        if alpha < 1.0 {
+            let mut product = self.over_denominator(series.to_vec());
+            for (p, s) in product.iter_mut().zip(series) {
+                *p = cosh * s - sinh * sinh * *p;
+            }
+            product
+        } else {
+            let mut numerator = apply(series, self.order, |n| times_mu(n, self.order));
+            for (p, s) in numerator.iter_mut().zip(series) {
+                *p = s - cosh * *p;
+            }
+            self.over_denominator(numerator)
+        }
+    }
+
+    /// Legendre polynomials of `x` and their derivatives, of degrees 0 to `highest`.
+    pub fn legendre(&self, highest: usize) -> LegendreSeries {
+        let zero = vec![0.0; self.unit.len()];
+        let mut series = LegendreSeries {
+            value: vec![self.unit.clone(), self.times_cosine(&self.unit)],
+            first: vec![zero.clone(), self.unit.clone()],
+            second: vec![zero.clone(), zero],
+        };
+        for k in 1..highest {
+            let degree = k as f64;
+            let value = combine(
+                (2.0 * degree + 1.0) / (degree + 1.0),
+                &self.times_cosine(&series.value[k]),
+                -degree / (degree + 1.0),
+                &series.value[k - 1],
+            );
+            // P_(k+1)' = x P_k' + (k+1) P_k, and its derivative.
+            let first = combine(
+                1.0,
+                &self.times_cosine(&series.first[k]),
+                degree + 1.0,
+                &series.value[k],
+            );
+            let second = combine(
+                1.0,
+                &self.times_cosine(&series.second[k]),
+                degree + 2.0,
+                &series.first[k],
+            );
+            series.value.push(value);
+            series.first.push(first);
+            series.second.push(second);
+        }
+        series
+    }
+}
+
+/// `p a + q b`, entry by entry.
+pub fn combine(p: f64, a: &[f64], q: f64, b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| p * a + q * b).collect()
+}
+
+fn apply(series: &[f64], order: usize, stencil: impl Fn(usize) -> Stencil) -> Vec<f64> {
+    let entry = |n: usize| series.get(n).copied().unwrap_or(0.0);
+    (0..series.len())
+        .map(|n| {
+            if n < order {
+                return 0.0;
+            }
+            let s = stencil(n);
+            let below = if n > order {
+                s.below * entry(n - 1)
+            } else {
+                0.0
+            };
+            below + s.at * entry(n) + s.above * entry(n + 1)
+        })
+        .collect()
+}
+
+/// `S^(1/2) rho^m` in `sin^m(eta) P_n^(m)`: the module's `g_n` with its prefactor.
+fn unit(geometry: &Geometry, order: usize) -> Vec<f64> {
+    let Geometry { alpha, sinh, .. } = *geometry;
+    let prefactor = match order {
+        0 => -0.5,
+        1 => sinh,
+        _ => 2.0 * sinh * sinh,
+    };
+    (0..=geometry.degree)
+        .map(|n| {
+            if n < order {
+                return 0.0;
+            }
+            let n = n as f64;
+            let decay = (-(n + 0.5) * alpha).exp();
+            let bracket = 4.0 * alpha.exp() + 2.0 * (2.0 * n - 1.0) * sinh;
+            prefactor * std::f64::consts::SQRT_2 * decay * bracket
+                / ((2.0 * n - 1.0) * (2.0 * n + 3.0))
+        })
+        .collect()
+}

@@ -1,0 +1,121 @@
+//! How far the loads are from the limit of infinitely many terms, and what they cost.
+
+use std::time::{Duration, Instant};
+
+use exact::Exact;
+use scene::{Gap, Hydrodynamics, PairLoads};
+
+fn at(eps: f64) -> Gap {
+    Gap::new(eps).expect("a positive gap")
+}
+
+fn distance(a: &PairLoads, b: &PairLoads) -> f64 {
+    a.columns()
+        .zip(b.columns())
+        .map(|(a, b)| (a - b).abs() / b.abs().max(1.0))
+        .fold(0.0, f64::max)
+}
+
+#[test]
+fn doubling_the_number_of_terms_changes_nothing() {
+    let (single, double) = (Exact::new(), Exact::with_terms(2.0).unwrap());
+    for (eps, tolerance) in [
+        (100.0, 1e-10),
+        (20.0, 1e-10),
+        (2.0, 1e-10),
+        (0.5, 1e-10),
+        (0.1, 1e-10),
+        (0.01, 1e-10),
+        (1e-3, 1e-8),
+        (1e-4, 1e-6),
+    ] {
+        for modes in [2, 8] {
+            let loads = single.series_loads(at(eps), modes).unwrap();
+            let finer = double.series_loads(at(eps), modes).unwrap();
+            let change = distance(&loads, &finer);
+            println!("gap {eps:e}, {modes} modes: {change:.1e}");
+            assert!(change < tolerance, "{eps}: {change:e}");
+        }
+    }
+}
+
+#[test]
+fn the_flow_keeps_its_boundary_values_at_points_that_were_not_fitted() {
+    for (eps, tolerance) in [
+        (20.0, 1e-11),
+        (1.0, 1e-11),
+        (0.1, 1e-11),
+        (0.01, 1e-10),
+        (1e-3, 1e-8),
+    ] {
+        let residual = Exact::new().residual(at(eps), 8).unwrap();
+        println!("gap {eps:e}: {residual:.1e}");
+        assert!(residual < tolerance, "{eps}: {residual:e}");
+    }
+}
+
+#[test]
+fn too_few_terms_show_in_the_residual_and_in_the_error_estimate() {
+    let coarse = Exact::with_terms(0.25).unwrap();
+    let gap = at(0.01);
+    let loads = coarse.loads(gap, 2).unwrap();
+    let truth = Exact::new().loads(gap, 2).unwrap();
+    let error = distance(&loads, &truth);
+    let estimate = coarse.error_estimate(gap, 2).unwrap();
+    println!("{error:e} {estimate:e}");
+    assert!(error > 1e-8);
+    assert!(coarse.residual(gap, 2).unwrap() > 1e-4);
+    assert!(
+        estimate > 0.3 * error && estimate < 30.0 * error,
+        "{estimate:e} {error:e}"
+    );
+}
+
+#[test]
+fn the_error_estimate_stays_below_a_nanometre_a_metre() {
+    let exact = Exact::new();
+    for eps in [1e-12, 1e-6, 1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0, 1e3, 1e9] {
+        let estimate = exact.error_estimate(at(eps), 8).unwrap();
+        println!("gap {eps:e}: {estimate:.1e}");
+        assert!(estimate < 1e-9, "{eps}: {estimate:e}");
+    }
+}
+
+/// Best of several runs, because the machine is shared.
+fn best_time(eps: f64, modes: usize) -> Duration {
+    let exact = Exact::new();
+    (0..5)
+        .map(|_| {
+            let start = Instant::now();
+            exact.loads(at(eps), modes).expect("loads");
+            start.elapsed()
+        })
+        .min()
+        .unwrap_or(Duration::MAX)
+}
+
+#[test]
+fn loads_at_one_gap_cost_milliseconds() {
+    for (eps, allowed) in [(0.1, 5), (0.01, 50), (1e-3, 1000), (1.1e-4, 2000)] {
+        let (two, eight) = (best_time(eps, 2), best_time(eps, 8));
+        println!("gap {eps:e}: {two:?} for 2 modes, {eight:?} for 8");
+        assert!(two < Duration::from_millis(allowed), "{eps}: {two:?}");
+    }
+}
+
+#[test]
+fn regress_the_reference_table_is_reproduced() {
+    let exact = Exact::new();
+    for line in include_str!("../reference.csv").lines().skip(1) {
+        let mut cells = line.split(',');
+        let mut next = || cells.next().unwrap();
+        let (eps, name, value): (f64, _, f64) =
+            (next().parse().unwrap(), next(), next().parse().unwrap());
+        let loads = exact.loads(at(eps), 2).unwrap().named();
+        let own = loads.iter().find(|l| l.0 == name).unwrap().1;
+        assert!(
+            (own - value).abs() < 1e-11 * value.abs().max(1.0),
+            "{line}: {own}"
+        );
+    }
+}
