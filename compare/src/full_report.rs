@@ -37,7 +37,7 @@ pub(crate) fn write(
     }
     content.add_offsets(&models, sweep, out)?;
     let page = Page {
-        title: "Two squirmers collide: lubrication theory against boundary elements".to_owned(),
+        title: "Two squirmers collide: lubrication theory against full hydrodynamics".to_owned(),
         lead: lead(),
         sections: content.sections,
         costs: (models.iter())
@@ -160,7 +160,8 @@ fn words(approach: Approach) -> (&'static str, &'static str) {
 fn caption(file_name: &str) -> &'static str {
     if file_name.contains("trajectories") {
         "Paths of both squirmers (solid: first, dashed: second), with dots at equal times and the \
-         spheres, to scale, at closest approach. Lubrication paths are continued by straight flight."
+         spheres, to scale, at closest approach. Lubrication paths are continued by straight flight; \
+         the others end where the two, receding, are 12 apart."
     } else if file_name.contains("deflection") {
         "Deflection of the squirmers against the offset of their paths."
     } else {

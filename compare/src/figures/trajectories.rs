@@ -257,7 +257,9 @@ fn window(tracks: &[(&Encounter, Track)]) -> Option<(Range<f64>, Range<f64>)> {
     for (_, track) in tracks {
         for k in [0, 1] {
             take(track.points.first()?.centres[k], 1.0);
-            take(track.nearest.centres[k], ROOM);
+            // Paths that hardly bend need no room beside them.
+            let room = if track.nearest.gap <= DRAWN_GAP { ROOM } else { 1.0 };
+            take(track.nearest.centres[k], room);
         }
     }
     let [x, y] = bounds.map(|(low, high)| low.floor()..high.ceil());
