@@ -64,11 +64,17 @@ impl Encounter {
             deflection2_deg: number(|run| run.deflections()[1].to_degrees()),
             min_gap: number(|run| run.min_gap),
             duration: number(|run| run.contact_time),
-            outcome: run.map_or("failed".to_owned(), |run| run.outcome.to_string()),
+            outcome: self.outcome(),
             steps: run.map_or(0, |run| run.counters.steps),
             loads: run.map_or(0, |run| run.counters.loads),
             seconds: self.seconds,
         }
+    }
+
+    /// Name of the outcome, or `failed`.
+    #[must_use]
+    pub fn outcome(&self) -> String {
+        (self.run.as_ref()).map_or("failed".to_owned(), |run| run.outcome.to_string())
     }
 
     /// Whether the pair parted, so that its outgoing angles mean something.
@@ -79,7 +85,8 @@ impl Encounter {
 }
 
 /// One line of `offset.csv`: change of the outgoing orientation by an offset out of the plane, the
-/// angle between the outgoing orientations with and without it, in degrees.
+/// angle between the outgoing orientations with and without it, in degrees. Of a pair that is bound
+/// it is the orientation at the end of the run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OffsetRow {
     /// Name of the approach.
@@ -98,4 +105,8 @@ pub struct OffsetRow {
     pub change2_deg: f64,
     /// Smallest gap, in radii.
     pub min_gap: f64,
+    /// Outcome with the offset, or `failed`.
+    pub outcome: String,
+    /// Outcome without it.
+    pub outcome_in_plane: String,
 }

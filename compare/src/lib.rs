@@ -2,11 +2,13 @@
 
 mod case;
 pub mod cli;
+mod comparison;
 mod defaults;
 mod encounter;
 mod error;
 pub mod figures;
 mod full_report;
+mod load_errors;
 mod method;
 mod model;
 mod numbers;
@@ -18,9 +20,11 @@ pub mod report;
 pub mod sweep;
 
 pub use case::{Approach, Case};
+pub use comparison::{ComparisonRow, comparison};
 pub use defaults::{Defaults, EncounterDefaults, OffsetDefaults};
 pub use encounter::{Encounter, EncounterRow, OffsetRow};
 pub use error::CompareError;
+pub use load_errors::{LoadErrorRow, load_errors};
 pub use method::Method;
 pub use model::{BEM_TABLE_TOLERANCE, EXACT_TABLE_TOLERANCE, Model, ModelOptions};
 pub use numbers::{Numbers, parse_numbers};

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
-use scene::{Outcome, RunOptions};
+use scene::RunOptions;
 
 use crate::progress::Progress;
 use crate::{Case, Encounter, Model, OffsetRow};
@@ -89,8 +89,11 @@ pub fn offsets(
 }
 
 fn offset_row(reference: &Encounter, offset: &Encounter) -> OffsetRow {
-    let change = |k: usize| match (outgoing(reference), outgoing(offset)) {
-        (Some(a), Some(b)) => angle_between(a[k], b[k]).to_degrees(),
+    let change = |k: usize| match (&reference.run, &offset.run) {
+        (Ok(a), Ok(b)) => {
+            let [a, b] = [a, b].map(|run| run.end.orientations[k]);
+            angle_between(a, b).to_degrees()
+        }
         _ => f64::NAN,
     };
     OffsetRow {
@@ -102,14 +105,9 @@ fn offset_row(reference: &Encounter, offset: &Encounter) -> OffsetRow {
         change1_deg: change(0),
         change2_deg: change(1),
         min_gap: (offset.run.as_ref()).map_or(f64::NAN, |run| run.min_gap),
+        outcome: offset.outcome(),
+        outcome_in_plane: reference.outcome(),
     }
-}
-
-/// Outgoing orientations of a pair that parted; a bound pair has none.
-fn outgoing(encounter: &Encounter) -> Option<[Vector3<f64>; 2]> {
-    (encounter.run.as_ref().ok())
-        .filter(|run| run.outcome == Outcome::Scattered)
-        .map(|run| run.end.orientations)
 }
 
 /// Angle between two vectors, precise at small angles, in radians.

@@ -67,7 +67,11 @@ fn sweep_options(arguments: &RunArguments) -> Result<SweepOptions, CompareError>
     let tolerance = arguments.tol;
     if !(1e-14..=1e-2).contains(&tolerance) {
         let allowed = "give a number from 1e-14 to 1e-2";
-        return Err(CompareError::input("--tol", tolerance, allowed));
+        return Err(CompareError::input(
+            "--tol",
+            format!("{tolerance:?}"),
+            allowed,
+        ));
     }
     let time_limit = match arguments.time_limit {
         None => None,
@@ -108,7 +112,8 @@ fn loads(
     let gaps: Vec<_> = (gaps.0.iter())
         .map(|&eps| {
             Gap::new(eps).map_err(|_| {
-                CompareError::input("--gap", eps, "gaps must be greater than 0 and finite")
+                let allowed = "gaps must be greater than 0 and finite";
+                CompareError::input("--gap", format!("{eps:?}"), allowed)
             })
         })
         .collect::<Result<_, _>>()?;
@@ -203,7 +208,7 @@ pub(crate) fn cases(
                     dz,
                 };
                 case.scene().map_err(|error| {
-                    let value = format!("{dx} with --dz {dz} and --beta {beta}");
+                    let value = format!("{dx:?} with --dz {dz:?} and --beta {beta:?}");
                     CompareError::input("--dx", value, error.to_string())
                 })?;
                 cases.push(case);
@@ -267,6 +272,7 @@ fn offset(
                 format!("{:.6}", row.change1_deg),
                 format!("{:.6}", row.change2_deg),
                 format!("{:.5}", row.min_gap),
+                row.outcome.clone(),
             ]
         }),
     );

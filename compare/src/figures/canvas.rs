@@ -62,6 +62,18 @@ enum Anchor {
     Upright,
 }
 
+/// A power of ten, from its exponent; nothing between whole ones.
+fn power(exponent: f64) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let whole = exponent.round();
+    if (exponent - whole).abs() > 1e-6 {
+        return String::new();
+    }
+    let raised = |c: char| c.to_digit(10).map_or('⁻', |d| DIGITS[d as usize]);
+    let digits = format!("{whole:.0}");
+    format!("10{}", digits.chars().map(raised).collect::<String>())
+}
+
 /// A picture in the making.
 pub(super) struct Canvas<'a> {
     area: Area<'a>,
@@ -99,6 +111,8 @@ pub(super) struct Axes {
     pub y_title: &'static str,
     /// About how many ticks along x and y.
     pub ticks: (usize, usize),
+    /// Whether x and y are exponents of ten, and their ticks powers.
+    pub powers: bool,
 }
 
 /// A plot in a picture: axes, and what lies between them.
@@ -304,6 +318,13 @@ impl<'a> Canvas<'a> {
             .build_cartesian_2d(axes.x.clone(), axes.y.clone())
             .map_err(FigureError::drawing)?;
         let font = ("sans-serif", fine(TEXT)).into_font().color(&INK);
+        let label = |value: f64| {
+            if axes.powers {
+                power(value)
+            } else {
+                number(value)
+            }
+        };
         chart
             .configure_mesh()
             .axis_style(INK.stroke_width(fine_size(1.0)))
@@ -313,8 +334,8 @@ impl<'a> Canvas<'a> {
             .x_labels(axes.ticks.0)
             .y_labels(axes.ticks.1)
             .set_all_tick_mark_size(fine(4.0))
-            .x_label_formatter(&|v| number(*v))
-            .y_label_formatter(&|v| number(*v))
+            .x_label_formatter(&|v| label(*v))
+            .y_label_formatter(&|v| label(*v))
             .draw()
             .map_err(FigureError::drawing)?;
         let frame = Rectangle::new(

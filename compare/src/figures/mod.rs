@@ -4,6 +4,7 @@
 
 mod canvas;
 mod deflection;
+mod load_errors;
 mod offset;
 mod style;
 #[cfg(test)]
@@ -17,6 +18,7 @@ use thiserror::Error;
 use crate::{Approach, Method};
 
 pub use deflection::deflection;
+pub use load_errors::load_errors;
 pub use offset::offset;
 pub use trajectories::{TICK_INTERVAL, trajectories};
 

@@ -92,6 +92,8 @@ fn offsets_have_a_panel_for_each_method_and_gaps_for_nan() {
         change1_deg: change,
         change2_deg: change,
         min_gap: 0.1,
+        outcome: "scattered".to_owned(),
+        outcome_in_plane: "scattered".to_owned(),
     };
     let rows = [
         row("lt", 0.0, 0.0),

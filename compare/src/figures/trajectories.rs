@@ -190,6 +190,7 @@ pub fn trajectories(encounters: &[Encounter]) -> Result<String, FigureError> {
                     x_title: "x (radii a)",
                     y_title: "y (radii a)",
                     ticks: (7, 7),
+                    powers: false,
                 };
                 let panel = canvas.panel(corner, plot, axes)?;
                 let shown = |e: &Encounter| e.method == method && same(e.case.beta, beta);
@@ -258,7 +259,11 @@ fn window(tracks: &[(&Encounter, Track)]) -> Option<(Range<f64>, Range<f64>)> {
         for k in [0, 1] {
             take(track.points.first()?.centres[k], 1.0);
             // Paths that hardly bend need no room beside them.
-            let room = if track.nearest.gap <= DRAWN_GAP { ROOM } else { 1.0 };
+            let room = if track.nearest.gap <= DRAWN_GAP {
+                ROOM
+            } else {
+                1.0
+            };
             take(track.nearest.centres[k], room);
         }
     }

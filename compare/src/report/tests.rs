@@ -15,6 +15,8 @@ fn rows() -> Vec<OffsetRow> {
             change1_deg: 1.23456789,
             change2_deg: f64::NAN,
             min_gap: 0.00123456,
+            outcome: "scattered".to_owned(),
+            outcome_in_plane: "scattered".to_owned(),
         })
         .into()
 }

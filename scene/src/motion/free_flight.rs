@@ -160,6 +160,16 @@ impl PairFlight {
         self.flights.iter().all(|flight| flight.turning.is_none())
     }
 
+    /// Whether straight paths only touch: closing in at this `rate`, the two would go deeper by no
+    /// more than rounding, which must not decide whether they meet.
+    fn grazes(&self, rate: f64) -> bool {
+        /// Closing speed over relative speed whose square, a depth over a distance, is rounding.
+        const GRAZING: f64 = 1e-6;
+        let [a, b] = &self.flights;
+        let speed = (b.orientation * b.speed - a.orientation * a.speed).norm();
+        self.is_straight() && -rate < GRAZING * speed
+    }
+
     /// First time within `duration` at which the distance falls to `contact`, if it does; a pair
     /// that starts there is in contact at time 0 if it closes in.
     ///
@@ -178,7 +188,7 @@ impl PairFlight {
             let (distance, rate) = self.distance(t);
             let left = (distance - contact).max(0.0);
             if rate < 0.0 && left <= 4.0 * f64::EPSILON * contact {
-                return Some(t);
+                return (!self.grazes(rate)).then_some(t);
             }
             let root = (rate * rate + 2.0 * acceleration * left).sqrt();
             let advance = if rate <= 0.0 {
@@ -191,7 +201,7 @@ impl PairFlight {
             // A grazing pair creeps towards the contact: at this step it has as good as arrived.
             let least = 1e-13 * (1.0 + t);
             if advance < least && rate < 0.0 {
-                return Some(t);
+                return (!self.grazes(rate)).then_some(t);
             }
             if !advance.is_finite() {
                 return None;
@@ -265,6 +275,30 @@ mod tests {
             p += (k1 + (k2 + k3) * 2.0 + k4) * (h / 6.0);
         }
         (x, p)
+    }
+
+    #[test]
+    fn paths_that_only_touch_do_not_meet() {
+        let squirmer = Squirmer::with_beta(1.0, 0.0).unwrap();
+        let flight = |x: f64, y: f64, up: f64| {
+            let p = Vector3::new(0.0, up, 0.0);
+            Flight::new(&squirmer, Vector3::new(x, y, 0.0), p, None)
+        };
+        let meet = |dx: f64| {
+            let flights = [flight(-0.5 * dx, 5.0, -1.0), flight(0.5 * dx, -5.0, 1.0)];
+            let start = Configuration {
+                gap: Gap::from_ln(2.0),
+                midpoint: Vector3::zeros(),
+                line: Vector3::y(),
+                orientations: [Vector3::y(); 2],
+                line_angle: 0.0,
+                angles: [0.0; 2],
+            };
+            PairFlight { start, flights }.contact(3.0, 100.0)
+        };
+        assert_eq!(meet(3.0), None);
+        let time = meet(3.0 - 1e-9).unwrap();
+        assert_relative_eq!(time, 5.0, epsilon = 1e-4);
     }
 
     #[test]

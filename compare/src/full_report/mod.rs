@@ -1,5 +1,8 @@
 //! Every comparison with the paper's cases, written as files and as one page.
 
+mod errors;
+mod words;
+
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -35,10 +38,15 @@ pub(crate) fn write(
     for approach in [Approach::HeadOn, Approach::Orthogonal] {
         content.add_encounters(approach, &models, sweep, out)?;
     }
+    let planar = content.encounters.clone();
     content.add_offsets(&models, sweep, out)?;
+    if let Some(exact) = models.iter().find(|m| m.method() == Method::Exact) {
+        let section = errors::section(&models, exact, planar, sweep, out)?;
+        content.sections.push(section);
+    }
     let page = Page {
         title: "Two squirmers collide: lubrication theory against full hydrodynamics".to_owned(),
-        lead: lead(),
+        lead: words::lead(),
         sections: content.sections,
         costs: (models.iter())
             .map(|model| cost(model, &content.encounters))
@@ -47,20 +55,6 @@ pub(crate) fn write(
         provenance: provenance::of(typed, started.elapsed().as_secs_f64()),
     };
     out.write("index.html", &render(&page))
-}
-
-fn lead() -> Vec<String> {
-    vec![
-        "When two swimming microorganisms collide, how far can lubrication theory be trusted, and \
-         what does a better answer cost? Two spherical squirmers of radius a meet in a Stokes fluid. \
-         Each encounter is computed with the loads of lubrication theory, which acts only where the \
-         gap is at most one radius, and with those of full hydrodynamics."
-            .to_owned(),
-        "Lengths are in radii a, times in a/V_s, angles in degrees, anticlockwise positive. The \
-         cases are those of Darveniza, Ishikawa, Pedley & Brumley, Pairwise scattering and bound \
-         states of spherical microorganisms (2022)."
-            .to_owned(),
-    ]
 }
 
 /// What has been run so far.
@@ -87,12 +81,12 @@ impl Content {
         let csv = csv_text(&rows)?;
         let file_name = format!("{approach}.csv");
         out.write(&file_name, &csv)?;
-        let (title, prose) = words(approach);
+        let (title, prose) = words::encounters(approach);
         self.sections.push(Section {
             id: approach.to_string(),
             title: title.to_owned(),
             prose: vec![prose.to_owned()],
-            figures: figures(of_encounters(approach, &encounters)?, out)?,
+            figures: written(of_encounters(approach, &encounters)?, out)?,
             tables: vec![Table::from_csv(
                 "Deflection is outgoing minus incoming angle; duration is the time spent at gaps up \
                  to 1; seconds are wall-clock time of the run without the table's set-up.",
@@ -121,10 +115,12 @@ impl Content {
                 "The first squirmer starts raised by dz/2, the second lowered by dz/2. Shown is the \
                  angle between a squirmer's outgoing orientation with and without the offset."
                     .to_owned(),
+                words::bound_in_plane(&rows),
             ],
-            figures: figures(of_offsets(&rows)?.into_iter().collect(), out)?,
+            figures: written(of_offsets(&rows)?.into_iter().collect(), out)?,
             tables: vec![Table::from_csv(
-                "Change of the outgoing orientations; a pair that does not part has none.",
+                "Change of the outgoing orientations; of a pair that stays bound, of those at the end of \
+                 the run (t = 200).",
                 "offset.csv",
                 &csv,
             )?],
@@ -143,39 +139,13 @@ impl Content {
     }
 }
 
-fn words(approach: Approach) -> (&'static str, &'static str) {
-    match approach {
-        Approach::HeadOn => (
-            "Opposed approach (Fig. 6)",
-            "Squirmers of opposed velocities start at (-δx/2, 5) and (δx/2, -5). Under lubrication \
-             theory those with δx > 3 pass without noticing each other.",
-        ),
-        Approach::Orthogonal => (
-            "Approach at right angles (Fig. 7)",
-            "Squirmers start at (0, 10), swimming along x, and (10 - δx, 0), swimming along y.",
-        ),
-    }
-}
-
-fn caption(file_name: &str) -> &'static str {
-    if file_name.contains("trajectories") {
-        "Paths of both squirmers (solid: first, dashed: second), with dots at equal times and the \
-         spheres, to scale, at closest approach. Lubrication paths are continued by straight flight; \
-         the others end where the two, receding, are 12 apart."
-    } else if file_name.contains("deflection") {
-        "Deflection of the squirmers against the offset of their paths."
-    } else {
-        "Change of the outgoing orientation against the offset out of the plane."
-    }
-}
-
 /// Writes pictures to their files and makes figures of them.
-fn figures(pictures: Vec<Picture>, out: &OutputFolder) -> Result<Vec<Figure>, CompareError> {
+fn written(pictures: Vec<Picture>, out: &OutputFolder) -> Result<Vec<Figure>, CompareError> {
     (pictures.into_iter())
         .map(|Picture { file_name, svg }| {
             out.write(&file_name, &svg)?;
             Ok(Figure {
-                caption: caption(&file_name).to_owned(),
+                caption: words::caption(&file_name).to_owned(),
                 svg,
             })
         })

@@ -1,0 +1,67 @@
+//! Errors of the loads of each method against the exact ones, from contact to far apart.
+
+use rayon::prelude::*;
+use scene::{Gap, Hydrodynamics, SceneError};
+use serde::Serialize;
+
+use crate::{Method, Model};
+
+/// One line of `load-errors.csv`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LoadErrorRow {
+    /// Name of the method.
+    pub method: &'static str,
+    /// Gap, in radii.
+    pub gap: f64,
+    /// Name of the load.
+    pub name: String,
+    /// The load by this method.
+    pub value: f64,
+    /// The exact load.
+    pub exact: f64,
+    /// Their difference relative to the larger of the exact load and 1.
+    pub error: f64,
+}
+
+/// Gaps from 1e-3 to 100, twelve a decade.
+fn gaps() -> impl Iterator<Item = f64> {
+    (0..=60).map(|i| 10f64.powf(f64::from(i) / 12.0 - 3.0))
+}
+
+/// The errors of `models` against `exact` for the squirming modes 1 to `modes`, method by method.
+///
+/// Gaps outside a model's range are left out.
+///
+/// # Errors
+/// Those of the models.
+pub fn load_errors(
+    models: &[&Model],
+    exact: &Model,
+    modes: usize,
+) -> Result<Vec<LoadErrorRow>, SceneError> {
+    let gaps: Vec<_> = gaps().collect();
+    let pairs: Vec<_> = (models.iter().filter(|m| m.method() != Method::Exact))
+        .flat_map(|model| gaps.iter().map(move |&eps| (*model, eps)))
+        .collect();
+    let rows = pairs
+        .into_par_iter()
+        .map(|(model, eps)| {
+            let gap = Gap::new(eps)?;
+            if model.range().check(gap).is_err() {
+                return Ok(Vec::new());
+            }
+            let found = model.loads(gap, modes)?.named();
+            let truth = exact.loads(gap, modes)?.named();
+            let row = |((name, value), (_, exact)): ((String, f64), (String, f64))| LoadErrorRow {
+                method: model.method().name(),
+                gap: eps,
+                name,
+                value,
+                exact,
+                error: (value - exact).abs() / exact.abs().max(1.0),
+            };
+            Ok(found.into_iter().zip(truth).map(row).collect())
+        })
+        .collect::<Result<Vec<Vec<_>>, SceneError>>()?;
+    Ok(rows.concat())
+}
