@@ -135,7 +135,8 @@ fn val_tabulated_and_direct_boundary_elements_give_the_same_deflections() {
     let cases: Vec<_> = (paper_cases(Approach::HeadOn).into_iter())
         .filter(|case| [1.0, 3.0].contains(&case.dx))
         .collect();
-    let options = options(1e-8);
+    // Loose enough that the direct runs stay short; both take the same steps.
+    let options = options(1e-6);
     let tabulated = encounters(&[set_up(Method::Bem, MESH, false)], &cases, &options);
     let direct = encounters(&[set_up(Method::Bem, MESH, true)], &cases, &options);
     for (table, solve) in tabulated.iter().zip(&direct) {

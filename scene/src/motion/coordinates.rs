@@ -46,6 +46,8 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
     type Across: Transverse;
     /// Index of `ln eps`.
     const LN_GAP: usize;
+    /// Indices of the variables that without gravity are a system of their own, if there are such.
+    const RELATIVE: Option<[usize; 3]>;
 
     /// The state of a configuration.
     fn encode(&self, configuration: &Configuration) -> [f64; N];
@@ -62,6 +64,9 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
     ) -> [Self::Across; 2];
     /// Time derivative of the state.
     fn derivative(&self, y: &[f64; N], velocity: &PairVelocity<Self::Across>) -> [f64; N];
+    /// The state after the further time `t` when only position and line of centres change, at the
+    /// constant rates that `dy` has in the frame of the pair; none without [`Self::RELATIVE`].
+    fn carried_on(&self, y: &[f64; N], dy: &[f64; N], t: f64) -> Option<[f64; N]>;
     /// What gravity adds to [`Self::derivative`]: spin about the line of centres.
     fn add_axial_spin(
         &self,
@@ -87,6 +92,7 @@ const THETA: usize = 2;
 impl Coordinates<6> for Planar {
     type Across = f64;
     const LN_GAP: usize = 3;
+    const RELATIVE: Option<[usize; 3]> = Some([3, 4, 5]);
 
     fn encode(&self, c: &Configuration) -> [f64; 6] {
         let theta = c.line_angle;
@@ -155,6 +161,24 @@ impl Coordinates<6> for Planar {
         ]
     }
 
+    fn carried_on(&self, y: &[f64; 6], dy: &[f64; 6], t: f64) -> Option<[f64; 6]> {
+        let turned = dy[THETA] * t;
+        let (half, quarter) = (0.5 * turned, 0.5 * turned * 0.5 * turned);
+        // sin(h)/h, the chord of the circle over its arc.
+        let chord = if half.abs() < 1e-4 {
+            1.0 - quarter / 6.0
+        } else {
+            half.sin() / half
+        };
+        // The velocity half way, turned with the pair.
+        let (sin, cos) = half.sin_cos();
+        let mut carried = *y;
+        carried[0] += t * chord * (dy[0] * cos - dy[1] * sin);
+        carried[1] += t * chord * (dy[0] * sin + dy[1] * cos);
+        carried[THETA] += turned;
+        Some(carried)
+    }
+
     #[inline]
     fn add_axial_spin(
         &self,
@@ -194,6 +218,7 @@ const ORIENTATION: [usize; 2] = [7, 10];
 impl Coordinates<13> for Spatial {
     type Across = Vector3<f64>;
     const LN_GAP: usize = SPATIAL_LN_GAP;
+    const RELATIVE: Option<[usize; 3]> = None;
 
     fn encode(&self, c: &Configuration) -> [f64; 13] {
         let mut y = [0.0; 13];
@@ -264,6 +289,10 @@ impl Coordinates<13> for Spatial {
             store(&mut dy, at, d.cross(&w).cross(&vector(y, at)));
         }
         dy
+    }
+
+    fn carried_on(&self, _: &[f64; 13], _: &[f64; 13], _: f64) -> Option<[f64; 13]> {
+        None
     }
 
     #[inline]

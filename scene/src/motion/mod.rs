@@ -5,6 +5,7 @@ mod equations;
 mod free_flight;
 mod outcome;
 mod run;
+mod steady;
 
 pub use coordinates::Configuration;
 pub use outcome::Outcome;

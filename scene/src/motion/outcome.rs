@@ -46,6 +46,25 @@ const DRIFT_SPEED: f64 = 1e-3;
 /// settled.
 const SETTLED: f64 = 0.1;
 
+/// Rate of turning, in radians, and speed, in `V_s`, up to which a steady pair is at rest: far above
+/// rounding, far below any pair that moves.
+const AT_REST: f64 = 1e-7;
+
+/// Judges a pair in a steady state from two configurations, `duration` apart.
+pub(crate) fn judge_steady(earlier: &Configuration, end: &Configuration, duration: f64) -> Outcome {
+    let turning = (end.line_angle - earlier.line_angle) / duration;
+    let speed = (end.midpoint - earlier.midpoint).norm() / duration;
+    if turning > AT_REST {
+        Outcome::Anticlockwise
+    } else if turning < -AT_REST {
+        Outcome::Clockwise
+    } else if speed > AT_REST {
+        Outcome::Pairwise
+    } else {
+        Outcome::Standoff
+    }
+}
+
 /// Judges a pair that has not parted, from a configuration `earlier` and the one at the end,
 /// `duration` apart.
 pub(crate) fn judge_bound(

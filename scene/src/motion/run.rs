@@ -8,7 +8,8 @@
 use super::coordinates::{Configuration, Coordinates, Planar, Spatial};
 use super::equations::{Absent, Effect, PairMotion, Present};
 use super::free_flight::PairFlight;
-use super::outcome::{Outcome, judge_bound};
+use super::outcome::{Outcome, judge_bound, judge_steady};
+use super::steady::{Attempts, steady_state};
 use crate::ode::{Dense, Direction, OdeError, Step, Stepper, first_crossing, first_minimum};
 use crate::{Gap, Gravity, Hydrodynamics, Repulsion, Scene, SceneError};
 
@@ -77,6 +78,8 @@ pub struct Run {
     pub contact_time: f64,
     /// What became of the pair.
     pub outcome: Outcome,
+    /// Time from which on the pair was in a steady bound state, and the rest known in closed form.
+    pub settled: Option<f64>,
     /// What it cost.
     pub counters: Counters,
     /// Samples at multiples of the sample interval, with start, end and changes of phase.
@@ -170,6 +173,8 @@ fn start(scene: &Scene) -> Result<Configuration, SceneError> {
 enum PhaseEnd {
     /// The pair receded through the gap at which it parts (the cut, or the departure distance).
     Parted,
+    /// The pair settled in a steady state, carried on to the end time.
+    Steady(Outcome),
     /// Time is up.
     Time,
 }
@@ -189,6 +194,7 @@ struct Runner<'a, H: ?Sized, C, R, G, const N: usize> {
     sampled: u64,
     /// The first configuration in the watched part of the run.
     watched: Option<Sample>,
+    settled: Option<f64>,
 }
 
 impl<'a, H, C, R, G, const N: usize> Runner<'a, H, C, R, G, N>
@@ -238,6 +244,7 @@ where
             samples: Vec::new(),
             sampled: 0,
             watched: None,
+            settled: None,
         })
     }
 
@@ -256,6 +263,7 @@ where
             min_gap: self.min_gap,
             contact_time: self.contact_time,
             outcome,
+            settled: self.settled,
             counters: self.counters,
             samples: self.samples,
         })
@@ -269,6 +277,7 @@ where
         };
         match self.integrate(departure)? {
             PhaseEnd::Parted => Ok(Outcome::Scattered),
+            PhaseEnd::Steady(outcome) => Ok(outcome),
             PhaseEnd::Time => Ok(self.judge_bound()),
         }
     }
@@ -286,6 +295,7 @@ where
             } else {
                 match self.integrate(Some(cut))? {
                     PhaseEnd::Parted => free = true,
+                    PhaseEnd::Steady(outcome) => return Ok(outcome),
                     PhaseEnd::Time => return Ok(self.judge_bound()),
                 }
             }
@@ -355,6 +365,7 @@ where
         let beyond = |ln_gap: f64| parting.is_some_and(|parting| ln_gap >= parting.ln());
         let mut ended = beyond(y[C::LN_GAP]) && stepper.dy()[C::LN_GAP] >= 0.0;
         let mut end = PhaseEnd::Parted;
+        let mut attempts = Attempts::default();
         while !ended {
             let step = stepper.step(&mut self.motion, end_time);
             let step = step.map_err(|error| self.failure(error))?;
@@ -365,10 +376,38 @@ where
                 ended = true;
                 end = PhaseEnd::Time;
             }
+            if !ended && let Some(outcome) = self.settle(&step, &mut attempts) {
+                ended = true;
+                end = PhaseEnd::Steady(outcome);
+            }
         }
         self.counters.steps += stepper.accepted() as u64;
         self.counters.rejected += stepper.rejected() as u64;
         Ok(end)
+    }
+
+    /// If a step ends at a steady state that holds, carries the pair on to the end time.
+    fn settle(&mut self, step: &Step<N>, attempts: &mut Attempts) -> Option<Outcome> {
+        let relative = C::RELATIVE.filter(|_| self.motion.gravity.get().is_none())?;
+        if step.y1[C::LN_GAP] > CONTACT_GAP.ln() {
+            return None;
+        }
+        let last = (&step.y1, &step.dy1);
+        let (y, dy) = steady_state(&mut self.motion, self.t, last, relative, attempts)?;
+        let (from, left) = (self.t, self.options.end_time - self.t);
+        let coordinates = self.motion.coordinates;
+        let earlier = coordinates.decode(&y, &self.now);
+        let end = coordinates.decode(&coordinates.carried_on(&y, &dy, left)?, &earlier);
+        self.record_between(self.options.end_time, |t| {
+            let carried = coordinates.carried_on(&y, &dy, t - from).unwrap_or(y);
+            coordinates.decode(&carried, &earlier)
+        });
+        self.min_gap = self.min_gap.min(end.gap.eps());
+        self.contact_time += left;
+        self.settled = Some(from);
+        self.now = end;
+        self.t = self.options.end_time;
+        Some(judge_steady(&earlier, &end, left))
     }
 
     /// Takes in one step: up to the parting if that lies in it, and then says so.
