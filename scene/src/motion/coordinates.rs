@@ -6,6 +6,7 @@
 use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
 
+use super::steady::Relative;
 use crate::balance::{Heading, PairVelocity, Transverse};
 use crate::{Gap, Gravity, PairLoads, Squirmer};
 
@@ -46,8 +47,8 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
     type Across: Transverse;
     /// Index of `ln eps`.
     const LN_GAP: usize;
-    /// Indices of the variables that without gravity are a system of their own, if there are such.
-    const RELATIVE: Option<[usize; 3]>;
+    /// The variables that without gravity are a system of their own, if there are such.
+    const RELATIVE: Option<Relative>;
 
     /// The state of a configuration.
     fn encode(&self, configuration: &Configuration) -> [f64; N];
@@ -92,7 +93,10 @@ const THETA: usize = 2;
 impl Coordinates<6> for Planar {
     type Across = f64;
     const LN_GAP: usize = 3;
-    const RELATIVE: Option<[usize; 3]> = Some([3, 4, 5]);
+    const RELATIVE: Option<Relative> = Some(Relative {
+        variables: [3, 4, 5],
+        turning: THETA,
+    });
 
     fn encode(&self, c: &Configuration) -> [f64; 6] {
         let theta = c.line_angle;
@@ -218,7 +222,7 @@ const ORIENTATION: [usize; 2] = [7, 10];
 impl Coordinates<13> for Spatial {
     type Across = Vector3<f64>;
     const LN_GAP: usize = SPATIAL_LN_GAP;
-    const RELATIVE: Option<[usize; 3]> = None;
+    const RELATIVE: Option<Relative> = None;
 
     fn encode(&self, c: &Configuration) -> [f64; 13] {
         let mut y = [0.0; 13];

@@ -11,7 +11,7 @@
 //! cut `eps = 1`, where the loads have faded to those of lone squirmers, is a fixed point, and the
 //! pullers that the paper calls trapped creep up to that line from within.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Matrix4x3, Vector3};
 
 use crate::ode::System;
 
@@ -54,46 +54,55 @@ impl Default for Attempts {
     }
 }
 
-/// Looks for a fixed point from which nothing grows near the state `y` whose derivative is `dy`, in the
-/// variables `relative`; returns the state there and its derivative.
+/// The variables that are a system of their own, and the angle of the line of centres, whose rate
+/// of change depends on them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Relative {
+    /// Indices of `ln eps` and the two orientations.
+    pub variables: [usize; 3],
+    /// Index of the angle of the line of centres.
+    pub turning: usize,
+}
+
+/// Looks for a fixed point from which nothing grows near the state `y` whose derivative is `dy`;
+/// returns the state there and its derivative. The line of centres is turned on by what it still
+/// turns ahead while the rest decays, to first order.
 ///
 /// After an attempt that found none the next is made when the rate of change has fallen tenfold.
 pub(crate) fn steady_state<S: System<N>, const N: usize>(
     system: &mut S,
     t: f64,
     (y, dy): (&[f64; N], &[f64; N]),
-    relative: [usize; 3],
+    relative: Relative,
     attempts: &mut Attempts,
 ) -> Option<([f64; N], [f64; N])> {
-    let rate = |dy: &[f64; N]| {
-        relative
-            .map(|i| dy[i].abs())
-            .into_iter()
-            .fold(0.0, f64::max)
-    };
+    let of = relative.variables;
+    let rate = |dy: &[f64; N]| of.map(|i| dy[i].abs()).into_iter().fold(0.0, f64::max);
     if rate(dy) >= attempts.below {
         return None;
     }
     attempts.below = 0.1 * rate(dy);
-    let growth = if rate(dy) < NEARLY_STEADY_IF_MARGINAL {
-        GROWTH
-    } else {
-        -DECAY
-    };
+    let marginal = rate(dy) < NEARLY_STEADY_IF_MARGINAL;
     let start = *y;
     let (mut y, mut dy) = (*y, *dy);
     for _ in 0..MAX_NEWTON_STEPS {
-        let jacobian = jacobian(system, t, &y, relative);
+        let gradients = gradients(system, t, &y, relative);
+        let jacobian = gradients.fixed_rows::<3>(0).into_owned();
+        let inverse = jacobian.lu();
         if rate(&dy) < STEADY {
-            return holds(&jacobian, growth).then_some((y, dy));
+            if holds(&jacobian, -DECAY) {
+                // What decays as exp(J t) from its start adds up to -J^-1 of the start.
+                let away = Vector3::from(of.map(|i| start[i] - y[i]));
+                y[relative.turning] -= (gradients.row(3) * inverse.solve(&away)?)[0];
+                return Some((y, dy));
+            }
+            return (marginal && holds(&jacobian, GROWTH)).then_some((y, dy));
         }
-        let step = jacobian
-            .lu()
-            .solve(&Vector3::from(relative.map(|i| dy[i])))?;
-        for (k, i) in relative.into_iter().enumerate() {
+        let step = inverse.solve(&Vector3::from(of.map(|i| dy[i])))?;
+        for (k, i) in of.into_iter().enumerate() {
             y[i] -= step[k];
         }
-        let moved = relative.map(|i| (y[i] - start[i]).abs());
+        let moved = of.map(|i| (y[i] - start[i]).abs());
         if moved.into_iter().any(|m| m.is_nan() || m > NEARBY) {
             return None;
         }
@@ -102,22 +111,24 @@ pub(crate) fn steady_state<S: System<N>, const N: usize>(
     None
 }
 
-/// `df/dr` by central differences.
-fn jacobian<S: System<N>, const N: usize>(
+/// Gradients of the rates of the relative variables (the Jacobian, in the first three rows) and of
+/// the rate of turning, by central differences.
+fn gradients<S: System<N>, const N: usize>(
     system: &mut S,
     t: f64,
     y: &[f64; N],
-    relative: [usize; 3],
-) -> Matrix3<f64> {
-    let mut matrix = Matrix3::zeros();
-    for (column, j) in relative.into_iter().enumerate() {
+    relative: Relative,
+) -> Matrix4x3<f64> {
+    let [a, b, c] = relative.variables;
+    let mut matrix = Matrix4x3::zeros();
+    for (column, j) in [a, b, c].into_iter().enumerate() {
         let mut at = |offset: f64| {
             let mut y = *y;
             y[j] += offset;
             system.rhs(t, &y)
         };
         let (above, below) = (at(DIFFERENCE), at(-DIFFERENCE));
-        for (row, i) in relative.into_iter().enumerate() {
+        for (row, i) in [a, b, c, relative.turning].into_iter().enumerate() {
             matrix[(row, column)] = (above[i] - below[i]) / (2.0 * DIFFERENCE);
         }
     }
@@ -140,36 +151,45 @@ fn holds(jacobian: &Matrix3<f64>, growth: f64) -> bool {
 mod tests {
     use super::*;
 
-    fn settled(matrix: Matrix3<f64>, start: f64) -> bool {
-        let mut system = move |_: f64, y: &[f64; 3]| {
-            let r = Vector3::from(*y);
+    /// A system with a fixed point at zero and a fourth variable that turns at the rate `1 + r_0`.
+    fn settled(matrix: Matrix3<f64>, start: f64) -> Option<[f64; 4]> {
+        let mut system = move |_: f64, y: &[f64; 4]| {
+            let r = Vector3::new(y[0], y[1], y[2]);
             let f = matrix * r + Vector3::repeat(r.norm_squared());
-            [f.x, f.y, f.z]
+            [f.x, f.y, f.z, 1.0 + r.x]
         };
-        let y = [start, -start, start];
+        let y = [start, -start, start, 0.0];
         let dy = system.rhs(0.0, &y);
-        steady_state(
-            &mut system,
-            0.0,
-            (&y, &dy),
-            [0, 1, 2],
-            &mut Attempts::default(),
-        )
-        .is_some_and(|(y, _)| y.iter().all(|v| v.abs() < 1e-10))
+        let relative = Relative {
+            variables: [0, 1, 2],
+            turning: 3,
+        };
+        let mut attempts = Attempts::default();
+        let (y, _) = steady_state(&mut system, 0.0, (&y, &dy), relative, &mut attempts)?;
+        Some(y)
     }
 
     #[test]
     fn a_pair_near_an_attracting_point_is_settled() {
         let spiral = Matrix3::new(-0.3, 2.0, 0.0, -2.0, -0.3, 0.0, 0.1, 0.0, -1.0);
-        assert!(settled(spiral, 1e-7));
-        assert!(!settled(spiral, 1e-2), "too far away to tell");
+        let [x, y, z, _] = settled(spiral, 1e-7).unwrap();
+        assert!([x, y, z].iter().all(|v| v.abs() < 1e-10));
+        assert_eq!(settled(spiral, 1e-2), None, "too far away to tell");
     }
 
     #[test]
     fn a_pair_near_a_saddle_or_an_unwinding_spiral_is_not() {
         let saddle = Matrix3::new(-1.0, 0.0, 0.0, 0.0, 0.2, 0.0, 0.0, 0.0, -3.0);
         let spiral = Matrix3::new(1e-3, 1.0, 0.0, -1.0, 1e-3, 0.0, 0.0, 0.0, -1.0);
-        assert!(!settled(saddle, 1e-7));
-        assert!(!settled(spiral, 1e-7));
+        assert_eq!(settled(saddle, 1e-7), None);
+        assert_eq!(settled(spiral, 1e-7), None);
+    }
+
+    #[test]
+    fn what_the_pair_still_turns_while_it_decays_is_counted() {
+        // r_0 = exp(-t/2) 1e-6 turns the line of centres by 2e-6 more than the steady rate.
+        let decay = Matrix3::from_diagonal(&Vector3::new(-0.5, -1.0, -2.0));
+        let turned = settled(decay, 1e-6).unwrap()[3];
+        assert!((turned - 2e-6).abs() < 1e-10, "{turned:e}");
     }
 }
