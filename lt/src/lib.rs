@@ -14,7 +14,8 @@
 //! # Ok::<(), scene::SceneError>(())
 //! ```
 
-use scene::{Gap, GapRange, Hydrodynamics, MAX_MODES, PairLoads, SceneError, SelfOther, singular};
+use scene::singular::{self, Singular};
+use scene::{Gap, GapRange, Hydrodynamics, MAX_MODES, PairLoads, SceneError, SelfOther};
 
 /// Gap up to which the spheres interact, in sphere radii.
 pub const CUTOFF: f64 = 1.0;
@@ -90,24 +91,24 @@ impl Hydrodynamics for Lubrication {
     fn interacting_loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
         check_modes(modes)?;
         self.range().check(gap)?;
-        let mut loads = singular::loads(gap, modes, self.axial_squirming);
-        let unit = SelfOther {
-            sum: 1.0,
-            difference: 1.0,
-        };
-        loads.xa += unit;
-        loads.ya += unit;
-        loads.xc += unit;
-        loads.yc += unit;
-        if let Some(first) = loads.modes_mut().first_mut() {
-            let thrust = SelfOther {
-                sum: 4.0,
-                difference: 4.0,
-            };
-            first.xf += thrust;
-            first.yf += thrust;
-        }
-        Ok(loads)
+        let Singular {
+            mut xa,
+            mut ya,
+            yb,
+            mut yc,
+            mode,
+        } = Singular::at(gap, self.axial_squirming);
+        let unit = SelfOther::new(1.0, 0.0);
+        xa += unit;
+        ya += unit;
+        yc += unit;
+        let mut first = mode;
+        let thrust = SelfOther::new(4.0, 0.0);
+        first.xf += thrust;
+        first.yf += thrust;
+        Ok(PairLoads::from_parts([xa, ya, yb, unit, yc], modes, |n| {
+            if n == 0 { first } else { mode }
+        }))
     }
 }
 

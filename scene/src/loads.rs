@@ -28,6 +28,17 @@
 /// Highest squirming mode that a [`PairLoads`] can hold.
 pub const MAX_MODES: usize = 8;
 
+/// Columns of the resistance scalars in [`PairLoads::columns`].
+const RIGID_COLUMNS: usize = 10;
+
+/// Columns of one squirming mode in [`PairLoads::columns`].
+const MODE_COLUMNS: usize = 6;
+
+/// Columns of all loads with `modes` squirming modes.
+pub(crate) const fn column_count(modes: usize) -> usize {
+    RIGID_COLUMNS + MODE_COLUMNS * modes
+}
+
 /// Two scalars of one kind, for the sphere itself and for the other one, as sum and difference.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SelfOther {
@@ -79,6 +90,19 @@ pub struct ModeLoads {
     pub yt: SelfOther,
 }
 
+/// A mode that is not there.
+const NO_LOADS: ModeLoads = {
+    const ZERO: SelfOther = SelfOther {
+        sum: 0.0,
+        difference: 0.0,
+    };
+    ModeLoads {
+        xf: ZERO,
+        yf: ZERO,
+        yt: ZERO,
+    }
+};
+
 /// All loads of a pair at one gap. See the [module](self) for definitions and signs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairLoads {
@@ -97,37 +121,48 @@ pub struct PairLoads {
 }
 
 impl PairLoads {
+    /// From the resistance scalars `[xa, ya, yb, xc, yc]` and the loads by each of `modes` squirming
+    /// modes (at most [`MAX_MODES`]), counted from 0.
+    #[inline]
+    #[must_use]
+    pub fn from_parts(
+        [xa, ya, yb, xc, yc]: [SelfOther; 5],
+        modes: usize,
+        mode: impl Fn(usize) -> ModeLoads,
+    ) -> Self {
+        // Written where it is returned to: copies of this type are what a right-hand side would
+        // spend most of its time on.
+        Self {
+            xa,
+            ya,
+            yb,
+            xc,
+            yc,
+            modes: std::array::from_fn(|n| if n < modes { mode(n) } else { NO_LOADS }),
+            count: modes.min(MAX_MODES),
+        }
+    }
+
     /// Loads of two spheres infinitely far apart, with `modes` squirming modes (at most
     /// [`MAX_MODES`]): unit drag, thrust `4 pi mu a B_1` of the first mode, all else zero.
+    #[inline]
     #[must_use]
     pub fn isolated(modes: usize) -> Self {
+        let zero = SelfOther::default();
         let unit = SelfOther::new(1.0, 0.0);
-        let mut loads = Self {
-            xa: unit,
-            ya: unit,
-            xc: unit,
-            yc: unit,
-            ..Self::zero(modes)
-        };
-        if let Some(first) = loads.modes_mut().first_mut() {
-            first.xf = SelfOther::new(4.0, 0.0);
-            first.yf = SelfOther::new(4.0, 0.0);
-        }
-        loads
+        let thrust = SelfOther::new(4.0, 0.0);
+        Self::from_parts([unit, unit, zero, unit, unit], modes, |n| ModeLoads {
+            xf: if n == 0 { thrust } else { zero },
+            yf: if n == 0 { thrust } else { zero },
+            yt: zero,
+        })
     }
 
     /// All scalars zero, with room for `modes` squirming modes (at most [`MAX_MODES`]).
+    #[inline]
     #[must_use]
     pub fn zero(modes: usize) -> Self {
-        Self {
-            xa: SelfOther::default(),
-            ya: SelfOther::default(),
-            yb: SelfOther::default(),
-            xc: SelfOther::default(),
-            yc: SelfOther::default(),
-            modes: [ModeLoads::default(); MAX_MODES],
-            count: modes.min(MAX_MODES),
-        }
+        Self::from_parts([SelfOther::default(); 5], modes, |_| NO_LOADS)
     }
 
     /// Loads by the squirming modes `n = 1, 2, ...`, in this order.
@@ -146,7 +181,7 @@ impl PairLoads {
     /// Number of `f64` in [`Self::columns`] for `modes` squirming modes.
     #[must_use]
     pub fn column_count(modes: usize) -> usize {
-        10 + 6 * modes
+        column_count(modes)
     }
 
     /// All scalars in a fixed order (sum, difference; A, B, C, then mode by mode), for tables.
@@ -160,25 +195,21 @@ impl PairLoads {
     }
 
     /// The inverse of [`Self::columns`]; missing values stay zero, surplus ones are ignored.
+    #[inline]
     #[must_use]
     pub fn from_columns(modes: usize, columns: &[f64]) -> Self {
-        let mut loads = Self::zero(modes);
-        let mut pairs = columns.chunks_exact(2).map(|c| SelfOther {
-            sum: c[0],
-            difference: c[1],
-        });
-        let mut next = || pairs.next().unwrap_or_default();
-        loads.xa = next();
-        loads.ya = next();
-        loads.yb = next();
-        loads.xc = next();
-        loads.yc = next();
-        for mode in loads.modes_mut() {
-            mode.xf = next();
-            mode.yf = next();
-            mode.yt = next();
-        }
-        loads
+        let pair = |k: usize| match columns.get(2 * k..2 * k + 2) {
+            Some(&[sum, difference]) => SelfOther { sum, difference },
+            _ => SelfOther::default(),
+        };
+        Self::from_parts([0, 1, 2, 3, 4].map(pair), modes, |n| {
+            let k = (RIGID_COLUMNS + MODE_COLUMNS * n) / 2;
+            ModeLoads {
+                xf: pair(k),
+                yf: pair(k + 1),
+                yt: pair(k + 2),
+            }
+        })
     }
 
     /// Every scalar with its published name: `X11A, X12A, Y11A, ..., XF1_1, XF2_1, ..., YT2_n`.

@@ -5,13 +5,77 @@
 //! (2019) 053102. Lubrication theory adds these to the isolated loads, tables subtract them so
 //! that what is left is smooth at contact.
 
-use crate::{Gap, PairLoads, SelfOther};
+use crate::{Gap, ModeLoads, PairLoads, SelfOther};
 
 /// Coefficient of `L` in the axial squirming force `XF1_n = -XF2_n`, every mode alike.
 ///
 /// Zero net flux through the gap gives the pressure gradient `6 mu u_s / h^2` and with it
 /// `12 lambda^2/(1 + lambda)^2`, that is 3 for equal spheres; exact solutions have this slope.
 pub const AXIAL_SQUIRMING: f64 = 3.0;
+
+/// The diverging parts at one gap; every squirming mode has the same, `X11C` and `X12C` have none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Singular {
+    /// Of `X11A, X12A`.
+    pub xa: SelfOther,
+    /// Of `Y11A, Y12A`.
+    pub ya: SelfOther,
+    /// Of `Y11B, Y12B`.
+    pub yb: SelfOther,
+    /// Of `Y11C, Y12C`.
+    pub yc: SelfOther,
+    /// Of each squirming mode.
+    pub mode: ModeLoads,
+}
+
+impl Singular {
+    /// The parts at `gap`, with the coefficient `axial_squirming` in front of the logarithm of
+    /// `XF1_n`.
+    #[inline]
+    #[must_use]
+    pub fn at(gap: Gap, axial_squirming: f64) -> Self {
+        let log = gap.log_inverse();
+        let opposed = |own: f64| SelfOther {
+            sum: 0.0,
+            difference: 2.0 * own,
+        };
+        Self {
+            xa: opposed(0.25 / gap.eps() + 9.0 / 40.0 * log),
+            ya: opposed(log / 6.0),
+            yb: opposed(-0.25 * log),
+            yc: SelfOther {
+                sum: 0.25 * log,
+                difference: 0.15 * log,
+            },
+            mode: ModeLoads {
+                xf: opposed(axial_squirming * log),
+                yf: opposed(log),
+                yt: SelfOther {
+                    sum: 2.0 * log,
+                    difference: 1.2 * log,
+                },
+            },
+        }
+    }
+
+    /// The first `N` of [`PairLoads::columns`].
+    #[inline]
+    pub(crate) fn columns<const N: usize>(&self) -> [f64; N] {
+        let rigid = [self.xa, self.ya, self.yb, SelfOther::default(), self.yc];
+        let mode = [self.mode.xf, self.mode.yf, self.mode.yt];
+        std::array::from_fn(|column| {
+            let pair = match rigid.get(column / 2) {
+                Some(pair) => pair,
+                None => &mode[(column / 2 - rigid.len()) % mode.len()],
+            };
+            if column % 2 == 0 {
+                pair.sum
+            } else {
+                pair.difference
+            }
+        })
+    }
+}
 
 /// The diverging parts at `gap`, of `modes` squirming modes, with the coefficient
 /// `axial_squirming` in front of the logarithm of `XF1_n`.
@@ -27,26 +91,12 @@ pub const AXIAL_SQUIRMING: f64 = 3.0;
 #[inline]
 #[must_use]
 pub fn loads(gap: Gap, modes: usize, axial_squirming: f64) -> PairLoads {
-    let log = gap.log_inverse();
-    let opposed = |own: f64| SelfOther {
-        sum: 0.0,
-        difference: 2.0 * own,
-    };
-    let mut loads = PairLoads::zero(modes);
-    loads.xa = opposed(0.25 / gap.eps() + 9.0 / 40.0 * log);
-    loads.ya = opposed(log / 6.0);
-    loads.yb = opposed(-0.25 * log);
-    loads.yc = SelfOther {
-        sum: 0.25 * log,
-        difference: 0.15 * log,
-    };
-    for mode in loads.modes_mut() {
-        mode.xf = opposed(axial_squirming * log);
-        mode.yf = opposed(log);
-        mode.yt = SelfOther {
-            sum: 2.0 * log,
-            difference: 1.2 * log,
-        };
-    }
-    loads
+    let Singular {
+        xa,
+        ya,
+        yb,
+        yc,
+        mode,
+    } = Singular::at(gap, axial_squirming);
+    PairLoads::from_parts([xa, ya, yb, SelfOther::default(), yc], modes, |_| mode)
 }

@@ -58,11 +58,13 @@ where
     fn rhs(&mut self, _t: f64, y: &[f64; N]) -> [f64; N] {
         let gap = Gap::from_ln(y[C::LN_GAP]);
         self.loads += 1;
-        let loads = match self.model.interacting_loads(gap, self.modes) {
+        // Matched by reference: the loads are too large to be moved about.
+        let loads = self.model.interacting_loads(gap, self.modes);
+        let loads = match &loads {
             Ok(loads) => loads,
             Err(error) => {
                 // A trial step went too far; the stepper retries with a shorter one.
-                self.failure = Some(error);
+                self.failure = Some(error.clone());
                 return [f64::NAN; N];
             }
         };
@@ -75,11 +77,11 @@ where
             None => [C::Across::ZERO; 2],
         };
         let external = External { repulsion, torque };
-        let velocity = pair_velocity(gap, &loads, &self.squirmers, &headings, &external);
+        let velocity = pair_velocity(gap, loads, &self.squirmers, &headings, &external);
         let mut dy = self.coordinates.derivative(y, &velocity);
         if let Some(gravity) = self.gravity.get() {
             self.coordinates
-                .add_axial_spin(y, &mut dy, &loads, gravity, &self.squirmers);
+                .add_axial_spin(y, &mut dy, loads, gravity, &self.squirmers);
         }
         dy
     }

@@ -13,7 +13,9 @@ pub use build::TableOptions;
 
 use serde::{Deserialize, Serialize};
 
-use crate::loads::{MAX_MODES, PairLoads};
+use self::chebyshev::add_interpolant;
+use crate::loads::{MAX_MODES, PairLoads, column_count};
+use crate::singular::Singular;
 use crate::{Gap, GapRange, Hydrodynamics, SceneError, singular};
 
 /// Gap at which the table changes from `ln eps` to `1/r`, in radii.
@@ -105,6 +107,20 @@ impl Table {
             .map(|piece| (piece, x))
             .ok_or(SceneError::InvalidGap { eps: gap.eps() })
     }
+
+    /// The loads from the first `N` columns, enough for `modes`.
+    #[inline]
+    fn loads<const N: usize>(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
+        let (piece, x) = self.piece(gap)?;
+        let singular = if gap.eps() <= FAR_GAP {
+            Singular::at(gap, singular::AXIAL_SQUIRMING).columns()
+        } else {
+            [0.0; N]
+        };
+        let width = column_count(self.modes);
+        let columns = add_interpolant(&piece.coefficients, width, piece.relative(x), singular);
+        Ok(PairLoads::from_columns(modes, &columns))
+    }
 }
 
 impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
@@ -121,18 +137,13 @@ impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
                 allowed: table.modes,
             });
         }
-        let (piece, x) = table.piece(gap)?;
-        let mut columns = [0.0; 10 + 6 * MAX_MODES];
-        if gap.eps() <= FAR_GAP {
-            let singular = singular::loads(gap, modes, singular::AXIAL_SQUIRMING);
-            for (slot, value) in columns.iter_mut().zip(singular.columns()) {
-                *slot = value;
-            }
+        match modes {
+            0 => table.loads::<{ column_count(0) }>(gap, modes),
+            1 => table.loads::<{ column_count(1) }>(gap, modes),
+            2 => table.loads::<{ column_count(2) }>(gap, modes),
+            // All at once would not fit into registers, but nor is this what encounters ask for.
+            _ => table.loads::<{ column_count(MAX_MODES) }>(gap, modes),
         }
-        let wanted = &mut columns[..PairLoads::column_count(modes)];
-        let width = PairLoads::column_count(table.modes);
-        chebyshev::add_interpolant(&piece.coefficients, width, piece.relative(x), wanted);
-        Ok(PairLoads::from_columns(modes, wanted))
     }
 
     fn error_estimate(&self, gap: Gap, _modes: usize) -> Result<f64, SceneError> {

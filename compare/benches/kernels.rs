@@ -1,0 +1,155 @@
+//! The kernels that a trajectory and a solve spend their time in:
+//! `cargo bench -p compare --bench kernels`.
+
+#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the bench")]
+
+use std::sync::OnceLock;
+
+use compare::EXACT_TABLE_TOLERANCE;
+use divan::{Bencher, black_box};
+use exact::Exact;
+use lt::{Form, Lubrication};
+use scene::balance::{External, Heading, PairVelocity, pair_velocity};
+use scene::{Gap, Hydrodynamics, Repulsion, Squirmer, TableOptions, Tabulated};
+
+fn main() {
+    divan::main();
+}
+
+/// Logarithms of gaps from where repulsion holds the pair to where lubrication theory is cut.
+const LN_GAPS: [f64; 8] = [-5.3, -0.2, -3.1, -4.6, -1.7, -0.9, -2.4, -3.9];
+
+/// The table of the exact loads that every bench here reads, built once.
+fn table() -> &'static Tabulated<Exact> {
+    static TABLE: OnceLock<Tabulated<Exact>> = OnceLock::new();
+    TABLE.get_or_init(|| {
+        let options = TableOptions {
+            modes: 2,
+            tolerance: EXACT_TABLE_TOLERANCE,
+            smallest_gap: 1e-4,
+        };
+        Tabulated::build(Exact::new(), options, &|_| ()).unwrap()
+    })
+}
+
+fn velocity<M: Hydrodynamics>(
+    model: &M,
+    squirmers: &[Squirmer; 2],
+    ln_gap: f64,
+    angles: [f64; 2],
+    repulsion: Repulsion,
+) -> PairVelocity<f64> {
+    let gap = Gap::from_ln(ln_gap);
+    let loads = model.interacting_loads(gap, 2);
+    let loads = loads.as_ref().unwrap();
+    let headings = angles.map(|angle: f64| Heading {
+        cosine: angle.cos(),
+        transverse: angle.sin(),
+    });
+    let external = External {
+        repulsion: repulsion.force(gap),
+        torque: [0.0; 2],
+    };
+    pair_velocity(gap, loads, squirmers, &headings, &external)
+}
+
+fn bench_velocity<M: Hydrodynamics>(bencher: Bencher<'_, '_>, model: &M) {
+    let squirmers = [Squirmer::with_beta(1.0, 5.0).unwrap(); 2];
+    bencher.counter(LN_GAPS.len()).bench(|| {
+        for ln_gap in LN_GAPS {
+            let angles = [ln_gap, 1.0 + ln_gap];
+            black_box(velocity(
+                model,
+                black_box(&squirmers),
+                black_box(ln_gap),
+                angles,
+                Repulsion::PAPER,
+            ));
+        }
+    });
+}
+
+/// Loads, sines and force balance of one right-hand side.
+#[divan::bench]
+fn right_hand_side_lubrication(bencher: Bencher<'_, '_>) {
+    bench_velocity(bencher, &Lubrication::new(Form::Published));
+}
+
+#[divan::bench]
+fn right_hand_side_table(bencher: Bencher<'_, '_>) {
+    bench_velocity(bencher, table());
+}
+
+#[divan::bench]
+fn table_look_up(bencher: Bencher<'_, '_>) {
+    let table = table();
+    bencher.counter(LN_GAPS.len()).bench(|| {
+        for ln_gap in LN_GAPS {
+            black_box(table.loads(Gap::from_ln(black_box(ln_gap)), 2).unwrap());
+        }
+    });
+}
+
+#[divan::bench]
+fn loads_lubrication(bencher: Bencher<'_, '_>) {
+    let model = Lubrication::new(Form::Published);
+    bencher.counter(LN_GAPS.len()).bench(|| {
+        for ln_gap in LN_GAPS {
+            black_box(model.loads(Gap::from_ln(black_box(ln_gap)), 2).unwrap());
+        }
+    });
+}
+
+#[divan::bench]
+fn force_balance(bencher: Bencher<'_, '_>) {
+    let squirmers = [Squirmer::with_beta(1.0, 5.0).unwrap(); 2];
+    let model = Lubrication::new(Form::Published);
+    let gap = Gap::new(0.01).unwrap();
+    let loads = model.loads(gap, 2).unwrap();
+    let headings = [0.3, 1.1].map(|angle: f64| Heading {
+        cosine: angle.cos(),
+        transverse: angle.sin(),
+    });
+    let external = External {
+        repulsion: 0.1,
+        torque: [0.0; 2],
+    };
+    bencher.bench(|| {
+        pair_velocity(
+            gap,
+            black_box(&loads),
+            black_box(&squirmers),
+            black_box(&headings),
+            &external,
+        )
+    });
+}
+
+/// A whole collision of the paper's Fig. 6 at tolerance 1e-8.
+mod collision {
+    use super::*;
+    use compare::{Approach, Case};
+    use scene::{RunOptions, run};
+
+    fn bench<M: Hydrodynamics>(bencher: Bencher<'_, '_>, model: &M, dx: f64) {
+        let case = Case {
+            approach: Approach::HeadOn,
+            beta: 5.0,
+            dx,
+            dz: 0.0,
+        };
+        let scene = case.scene().unwrap();
+        let options = RunOptions::default();
+        bencher.bench(|| run(black_box(&scene), model, &options).unwrap());
+    }
+
+    #[divan::bench(args = [1.0, 2.0, 3.0])]
+    fn lubrication(bencher: Bencher<'_, '_>, dx: f64) {
+        bench(bencher, &Lubrication::new(Form::Published), dx);
+    }
+
+    #[divan::bench(args = [1.0, 2.0, 3.0])]
+    fn tabulated_exact(bencher: Bencher<'_, '_>, dx: f64) {
+        bench(bencher, table(), dx);
+    }
+}
