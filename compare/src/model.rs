@@ -74,7 +74,9 @@ impl Model {
             Method::LtCorrected => Kind::Lubrication(Lubrication::new(Form::Corrected)),
             Method::Exact if options.direct => Kind::ExactDirect(Box::new(Exact::new())),
             Method::Exact => {
-                let table = tabulate(Exact::new(), method, EXACT_TABLE_TOLERANCE, options)?;
+                // Closer to contact the exact loads have a closed form.
+                let spec = (exact::SERIES_FROM, EXACT_TABLE_TOLERANCE);
+                let table = tabulate(Exact::new(), method, spec, options)?;
                 Kind::ExactTable(Box::new(table))
             }
             Method::Bem => {
@@ -82,7 +84,8 @@ impl Model {
                 if options.direct {
                     Kind::BemDirect(Box::new(bem))
                 } else {
-                    let table = tabulate(bem, method, BEM_TABLE_TOLERANCE, options)?;
+                    let spec = (bem.range().smallest, BEM_TABLE_TOLERANCE);
+                    let table = tabulate(bem, method, spec, options)?;
                     Kind::BemTable(Box::new(table))
                 }
             }
@@ -168,13 +171,13 @@ impl Hydrodynamics for Model {
 fn tabulate<M: Hydrodynamics>(
     model: M,
     method: Method,
-    tolerance: f64,
+    (smallest_gap, tolerance): (f64, f64),
     options: &ModelOptions,
 ) -> Result<Tabulated<M>, CompareError> {
     let table = TableOptions {
         modes: TABLE_MODES,
         tolerance,
-        smallest_gap: model.range().smallest,
+        smallest_gap,
     };
     let progress = Progress::counting(match method {
         Method::Bem => "boundary elements: gaps solved",

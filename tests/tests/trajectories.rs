@@ -219,9 +219,9 @@ fn val_tabulated_exact_loads_are_within_their_tolerance_of_direct_ones() {
     let table = &models()[1];
     assert_eq!(table.method(), Method::Exact);
     let direct = set_up(Method::Exact, 2, true);
-    for i in 0..150 {
-        // Off the table's nodes, from contact to far apart.
-        let gap = Gap::from_ln(-9.0 + 0.1037 * f64::from(i));
+    for i in 0..200 {
+        // Off the table's nodes, from below the table, at contact, to far apart.
+        let gap = Gap::from_ln(-14.0 + 0.1037 * f64::from(i));
         let found = table.loads(gap, 2).unwrap();
         let truth = direct.loads(gap, 2).unwrap();
         for (a, b) in found.columns().zip(truth.columns()) {

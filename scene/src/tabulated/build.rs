@@ -15,7 +15,8 @@ pub struct TableOptions {
     pub modes: usize,
     /// Interpolation error to reach, relative to the larger of the load and 1.
     pub tolerance: f64,
-    /// Smallest gap of the table; the model's smallest if that is larger.
+    /// Smallest gap of the table, below which the model itself is asked; the model's smallest if that
+    /// is larger.
     pub smallest_gap: f64,
 }
 

@@ -3,7 +3,8 @@
 //! Up to the gap [`FAR_GAP`] the table interpolates in `ln eps` what is left of the loads when the
 //! parts that diverge at contact ([`singular`]) are subtracted; beyond, in `1/r`, out to infinity.
 //! Pieces end at the model's seams. Chebyshev points are doubled, and pieces halved, until the
-//! last coefficients are below the tolerance or the model's own noise.
+//! last coefficients are below the tolerance or the model's own noise. Below its smallest gap a
+//! table asks the model, which may have a closed form there, or refuse.
 
 mod build;
 mod cache;
@@ -91,6 +92,12 @@ impl<M> Tabulated<M> {
 }
 
 impl Table {
+    /// Whether the table begins above `gap`.
+    #[inline]
+    fn is_above(&self, gap: Gap) -> bool {
+        gap.eps() < self.range.smallest && self.range.check(gap).is_err()
+    }
+
     /// The piece that `gap` lies in, and its coordinate there.
     #[inline]
     fn piece(&self, gap: Gap) -> Result<(&Piece, f64), SceneError> {
@@ -125,7 +132,7 @@ impl Table {
 
 impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
     fn range(&self) -> GapRange {
-        self.table.range
+        self.model.range()
     }
 
     #[inline]
@@ -137,6 +144,9 @@ impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
                 allowed: table.modes,
             });
         }
+        if table.is_above(gap) {
+            return self.model.loads(gap, modes);
+        }
         match modes {
             0 => table.loads::<{ column_count(0) }>(gap, modes),
             1 => table.loads::<{ column_count(1) }>(gap, modes),
@@ -146,7 +156,10 @@ impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
         }
     }
 
-    fn error_estimate(&self, gap: Gap, _modes: usize) -> Result<f64, SceneError> {
+    fn error_estimate(&self, gap: Gap, modes: usize) -> Result<f64, SceneError> {
+        if self.table.is_above(gap) {
+            return self.model.error_estimate(gap, modes);
+        }
         let (piece, _) = self.table.piece(gap)?;
         Ok(piece.error + self.table.summary.interpolation_error)
     }

@@ -113,6 +113,23 @@ fn gaps_under_the_range_are_refused() {
 }
 
 #[test]
+fn below_a_table_the_model_answers() {
+    let options = TableOptions {
+        modes: 2,
+        tolerance: 1e-6,
+        smallest_gap: 0.01,
+    };
+    let model = Made {
+        seam: None,
+        noise: 1e-14,
+    };
+    let table = Tabulated::build(model, options, &|_| ()).unwrap();
+    let gap = Gap::new(2e-3).unwrap();
+    assert_eq!(table.loads(gap, 2), table.model().loads(gap, 2));
+    assert_eq!(table.range(), table.model().range());
+}
+
+#[test]
 fn fewer_modes_than_tabulated_are_read_and_more_refused() {
     let table = table(None, 1e-14, 1e-6);
     let gap = Gap::new(0.1).unwrap();
