@@ -2,6 +2,7 @@
 
 mod case;
 pub mod cli;
+pub mod cost;
 mod defaults;
 mod encounter;
 mod error;

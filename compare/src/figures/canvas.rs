@@ -292,6 +292,17 @@ impl<'a> Canvas<'a> {
         size: (f64, f64),
         axes: Axes,
     ) -> Result<Panel<'c, 'a>, FigureError> {
+        self.labelled_panel(corner, size, axes, number)
+    }
+
+    /// The same with tick labels of one's own.
+    pub(super) fn labelled_panel<'c>(
+        &'c self,
+        corner: (f64, f64),
+        size: (f64, f64),
+        axes: Axes,
+        label: fn(f64) -> String,
+    ) -> Result<Panel<'c, 'a>, FigureError> {
         let middle = (corner.0 + size.0 / 2.0, corner.1 - ABOVE / 2.0);
         self.text(&axes.title, middle, 15.0, Anchor::Middle)?;
         let whole = self.area.clone().shrink(
@@ -313,8 +324,8 @@ impl<'a> Canvas<'a> {
             .x_labels(axes.ticks.0)
             .y_labels(axes.ticks.1)
             .set_all_tick_mark_size(fine(4.0))
-            .x_label_formatter(&|v| number(*v))
-            .y_label_formatter(&|v| number(*v))
+            .x_label_formatter(&|v| label(*v))
+            .y_label_formatter(&|v| label(*v))
             .draw()
             .map_err(FigureError::drawing)?;
         let frame = Rectangle::new(

@@ -9,6 +9,7 @@ mod style;
 #[cfg(test)]
 mod tests;
 mod trajectories;
+mod work_precision;
 
 use std::fmt::Display;
 
@@ -19,6 +20,7 @@ use crate::{Approach, Method};
 pub use deflection::deflection;
 pub use offset::offset;
 pub use trajectories::{TICK_INTERVAL, trajectories};
+pub use work_precision::{deflections_work_precision, loads_work_precision};
 
 /// Why there is no picture.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
