@@ -10,6 +10,7 @@ use divan::{Bencher, black_box};
 use exact::Exact;
 use lt::{Form, Lubrication};
 use scene::balance::{External, Heading, PairVelocity, pair_velocity};
+use scene::ode::Stepper;
 use scene::{Gap, Hydrodynamics, Repulsion, Squirmer, TableOptions, Tabulated};
 
 fn main() {
@@ -151,5 +152,63 @@ mod collision {
     #[divan::bench(args = [1.0, 2.0, 3.0])]
     fn tabulated_exact(bencher: Bencher<'_, '_>, dx: f64) {
         bench(bencher, table(), dx);
+    }
+}
+
+/// The stepper's own work: a step of a system of six equations that costs next to nothing.
+#[divan::bench]
+fn stepper(bencher: Bencher<'_, '_>) {
+    let mut system = |_: f64, y: &[f64; 6]| y.map(|v| -v);
+    bencher.bench_local(|| {
+        let start = black_box([1.0, 0.5, -0.5, 0.2, 0.1, -1.0]);
+        let mut stepper = Stepper::new(&mut system, 0.0, start, 1e-8, 1.0).unwrap();
+        stepper.step(&mut system, 1.0).unwrap()
+    });
+}
+
+/// Boundary elements, by refinement level.
+mod boundary_elements {
+    use bem::Bem;
+    use bem::surface::{Block, Profile, Surface, Target};
+
+    use super::*;
+
+    /// Panel quadrature: the velocities at one vertex by all hat functions of its own sphere.
+    #[divan::bench(args = [1, 2, 3])]
+    fn panel_quadrature(bencher: Bencher<'_, '_>, level: usize) {
+        let model = Bem::new(level).unwrap();
+        let gap = Gap::new(0.1).unwrap();
+        let family = model.family(gap);
+        let profile = || Profile::beside_mirror_image(gap.eps());
+        let mesh = family.at(gap.eps());
+        let surface = Surface::new((mesh.clone(), profile()), (&mesh, profile()));
+        let target = Target {
+            point: mesh.vertices[0],
+            reference: mesh.vertices[0],
+            vertex: Some(0),
+        };
+        let mut row = vec![Block::default(); mesh.vertices.len()];
+        bencher
+            .counter(mesh.vertices.len())
+            .bench_local(|| surface.add_row(black_box(&target), &mut row));
+    }
+
+    /// Assembly and factorisation of all symmetry classes.
+    #[divan::bench(args = [1, 2], max_time = 3)]
+    fn assembly_and_factorisation(bencher: Bencher<'_, '_>, level: usize) {
+        let model = Bem::new(level).unwrap();
+        let gap = Gap::new(0.1).unwrap();
+        bencher.bench(|| model.solve(black_box(gap), 2).unwrap());
+    }
+
+    /// The dense factorisation alone, as large as the largest symmetry class.
+    #[divan::bench(args = [100, 200, 400])]
+    fn factorisation(bencher: Bencher<'_, '_>, unknowns: usize) {
+        let entry = |i: usize, j: usize| {
+            let diagonal = if i == j { 2.0 } else { 0.0 };
+            diagonal + 1.0 / (1.0 + (i as f64 - j as f64).abs())
+        };
+        let matrix = faer::Mat::from_fn(unknowns, unknowns, entry);
+        bencher.bench(|| black_box(&matrix).partial_piv_lu());
     }
 }

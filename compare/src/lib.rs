@@ -3,6 +3,7 @@
 mod case;
 pub mod cli;
 mod comparison;
+pub mod cost;
 mod defaults;
 mod encounter;
 mod error;

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+use super::cost::CostArguments;
 use crate::Method;
 use crate::numbers::{Numbers, parse_numbers};
 
@@ -61,6 +62,9 @@ pub(crate) enum Command {
         #[command(flatten)]
         runs: RunArguments,
     },
+    /// What accuracy costs in time: loads, deflections, scaling, and the cheapest way to a target
+    #[command(after_help = "Example:\n  squirmers cost --target 0.1deg --quick")]
+    Cost(CostArguments),
     /// All of it, with the paper's cases, into one self-contained index.html
     #[command(after_help = "Example:\n  squirmers report --out out && xdg-open out/index.html")]
     Report {

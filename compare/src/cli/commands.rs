@@ -25,6 +25,7 @@ pub(super) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), Compare
         Command::HeadOn(encounters) => encounter(Approach::HeadOn, encounters, arguments),
         Command::Orthogonal(encounters) => encounter(Approach::Orthogonal, encounters, arguments),
         Command::Offset { dz, models, runs } => offset(dz.as_ref(), models, runs, arguments),
+        Command::Cost(cost) => super::cost::run(cost, arguments, typed),
         Command::Report { models, runs } => {
             let (methods, options) = model_options(models, arguments)?;
             let sweep = sweep_options(runs)?;
@@ -338,7 +339,7 @@ pub(crate) fn failure(encounter: &Encounter, reason: &str) -> String {
     )
 }
 
-fn print_rows(header: &[&str], rows: impl Iterator<Item = Vec<String>>) {
+pub(super) fn print_rows(header: &[&str], rows: impl Iterator<Item = Vec<String>>) {
     let mut table = Table::new();
     table.load_preset(presets::NOTHING).set_header(header);
     table.add_rows(rows);

@@ -2,6 +2,7 @@
 
 mod args;
 pub(crate) mod commands;
+mod cost;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

@@ -62,18 +62,6 @@ enum Anchor {
     Upright,
 }
 
-/// A power of ten, from its exponent; nothing between whole ones.
-fn power(exponent: f64) -> String {
-    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let whole = exponent.round();
-    if (exponent - whole).abs() > 1e-6 {
-        return String::new();
-    }
-    let raised = |c: char| c.to_digit(10).map_or('⁻', |d| DIGITS[d as usize]);
-    let digits = format!("{whole:.0}");
-    format!("10{}", digits.chars().map(raised).collect::<String>())
-}
-
 /// A picture in the making.
 pub(super) struct Canvas<'a> {
     area: Area<'a>,
@@ -111,8 +99,6 @@ pub(super) struct Axes {
     pub y_title: &'static str,
     /// About how many ticks along x and y.
     pub ticks: (usize, usize),
-    /// Whether x and y are exponents of ten, and their ticks powers.
-    pub powers: bool,
 }
 
 /// A plot in a picture: axes, and what lies between them.
@@ -306,6 +292,17 @@ impl<'a> Canvas<'a> {
         size: (f64, f64),
         axes: Axes,
     ) -> Result<Panel<'c, 'a>, FigureError> {
+        self.labelled_panel(corner, size, axes, number)
+    }
+
+    /// The same with tick labels of one's own.
+    pub(super) fn labelled_panel<'c>(
+        &'c self,
+        corner: (f64, f64),
+        size: (f64, f64),
+        axes: Axes,
+        label: fn(f64) -> String,
+    ) -> Result<Panel<'c, 'a>, FigureError> {
         let middle = (corner.0 + size.0 / 2.0, corner.1 - ABOVE / 2.0);
         self.text(&axes.title, middle, 15.0, Anchor::Middle)?;
         let whole = self.area.clone().shrink(
@@ -318,13 +315,6 @@ impl<'a> Canvas<'a> {
             .build_cartesian_2d(axes.x.clone(), axes.y.clone())
             .map_err(FigureError::drawing)?;
         let font = ("sans-serif", fine(TEXT)).into_font().color(&INK);
-        let label = |value: f64| {
-            if axes.powers {
-                power(value)
-            } else {
-                number(value)
-            }
-        };
         chart
             .configure_mesh()
             .axis_style(INK.stroke_width(fine_size(1.0)))

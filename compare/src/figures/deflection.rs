@@ -84,7 +84,6 @@ pub fn deflection(encounters: &[Encounter]) -> Result<String, FigureError> {
                 x_title: "offset of the paths, δx (radii a)",
                 y_title: "deflection (degrees)",
                 ticks: (8, 8),
-                powers: false,
             };
             let corner = (cell * column as f64 + LEFT, TITLE + ABOVE);
             let panel = canvas.panel(corner, plot, axes)?;

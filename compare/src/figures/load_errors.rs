@@ -4,7 +4,7 @@ use super::canvas::{
     ABOVE, Axes, BELOW, Entry, Key, LEFT, RIGHT, Stroke, TITLE, legend_height, picture,
 };
 use super::style::{Dash, colour};
-use super::{FigureError, methods};
+use super::{FigureError, methods, power_of_ten};
 use crate::{LoadErrorRow, Method};
 
 /// Panels in a row: the loads of one mode.
@@ -50,13 +50,12 @@ pub fn load_errors(rows: &[LoadErrorRow]) -> Result<String, FigureError> {
                 x_title: "gap (radii a)",
                 y_title: if column == 0 { "error" } else { "" },
                 ticks: (4, 6),
-                powers: true,
             };
             let corner = (
                 cell.0 * column as f64 + LEFT,
                 TITLE + cell.1 * line as f64 + ABOVE,
             );
-            let panel = canvas.panel(corner, plot, axes)?;
+            let panel = canvas.labelled_panel(corner, plot, axes, power_of_ten)?;
             for &method in &methods {
                 let points: Vec<_> = (rows.iter())
                     .filter(|row| method_of(row) == Some(method) && row.name == name)

@@ -10,6 +10,7 @@ mod style;
 #[cfg(test)]
 mod tests;
 mod trajectories;
+mod work_precision;
 
 use std::fmt::Display;
 
@@ -21,6 +22,7 @@ pub use deflection::deflection;
 pub use load_errors::load_errors;
 pub use offset::offset;
 pub use trajectories::{TICK_INTERVAL, trajectories};
+pub use work_precision::{deflections_work_precision, loads_work_precision};
 
 /// Why there is no picture.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -88,4 +90,21 @@ fn approach_title(approach: Approach) -> &'static str {
         Approach::HeadOn => "Head-on approach",
         Approach::Orthogonal => "Orthogonal approach",
     }
+}
+
+/// `10⁻³` for -3; nothing between whole powers.
+fn power_of_ten(exponent: f64) -> String {
+    if (exponent - exponent.round()).abs() > 1e-6 {
+        return String::new();
+    }
+    let plain = number(exponent.round());
+    let raised = plain.chars().map(|c| match c {
+        '\u{2212}' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        '0' | '4'..='9' => char::from_u32('⁰' as u32 + c as u32 - '0' as u32).unwrap_or(c),
+        other => other,
+    });
+    "10".chars().chain(raised).collect()
 }

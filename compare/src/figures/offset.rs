@@ -99,7 +99,6 @@ pub fn offset(rows: &[OffsetRow]) -> Result<String, FigureError> {
                 x_title: "offset out of the plane, δz (radii a)",
                 y_title: "change of angle (degrees)",
                 ticks: (7, 8),
-                powers: false,
             };
             let corner = (cell * column as f64 + LEFT, TITLE + ABOVE);
             let panel = canvas.panel(corner, plot, axes)?;

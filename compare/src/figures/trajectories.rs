@@ -190,7 +190,6 @@ pub fn trajectories(encounters: &[Encounter]) -> Result<String, FigureError> {
                     x_title: "x (radii a)",
                     y_title: "y (radii a)",
                     ticks: (7, 7),
-                    powers: false,
                 };
                 let panel = canvas.panel(corner, plot, axes)?;
                 let shown = |e: &Encounter| e.method == method && same(e.case.beta, beta);

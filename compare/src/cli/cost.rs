@@ -1,0 +1,150 @@
+//! `squirmers cost`: measured rows to files, pictures from these files, and the short of it in words.
+
+use std::time::Instant;
+
+use clap::Args;
+
+use super::args::Arguments;
+use super::commands::print_rows;
+use crate::cost::{
+    self, CostOptions, CostRow, Part, Recommendation, break_even, exponent, parse_target, recommend,
+};
+use crate::figures::{deflections_work_precision, loads_work_precision};
+use crate::output::{OutputFolder, csv_text};
+use crate::progress::Progress;
+use crate::{CompareError, provenance};
+
+/// Angle that is aimed at when nothing is said, in degrees.
+const TARGET: &str = "0.1deg";
+
+#[derive(Debug, Args)]
+pub(crate) struct CostArguments {
+    /// Error of the outgoing angles to reach, in degrees
+    #[arg(long, value_name = "ANGLE", default_value = TARGET, allow_hyphen_values = true)]
+    target: String,
+    /// Also print where the time of a trajectory goes
+    #[arg(long)]
+    profile: bool,
+    /// Fewer levels, sizes and cases: within a minute
+    #[arg(long)]
+    quick: bool,
+}
+
+pub(super) fn run(
+    arguments: &CostArguments,
+    general: &Arguments,
+    typed: &[String],
+) -> Result<(), CompareError> {
+    let target = parse_target(&arguments.target)?;
+    let out = OutputFolder::open(&general.out)?;
+    let started = Instant::now();
+    let options = CostOptions {
+        quick: arguments.quick,
+    };
+    let progress = Progress::of(cost::STAGES, "cost");
+    let rows = cost::measure(&options, &|| progress.advance())?;
+    progress.finish();
+    let csv = csv_text(&rows)?;
+    out.write("cost.csv", &csv)?;
+    // Pictures show what the file says, and nothing else.
+    let rows = cost::read(&csv)?;
+    out.write("cost-loads.svg", &loads_work_precision(&rows)?)?;
+    out.write("cost-deflections.svg", &deflections_work_precision(&rows)?)?;
+    let recommended = recommend(&rows, target);
+    out.write("cost-target.csv", &csv_text(&recommended)?)?;
+    print_recommendations(&recommended);
+    let mut lines = break_even_lines(&rows);
+    lines.extend(scaling_lines(&rows));
+    if arguments.profile {
+        lines.extend(profile_lines(&rows));
+    }
+    let made = provenance::of(typed, started.elapsed().as_secs_f64());
+    lines.extend([
+        made.command,
+        format!(
+            "{}, {}, threads: {}",
+            made.version, made.machine, made.threads
+        ),
+        format!("{}, {}", made.date, made.total_time),
+    ]);
+    let text = lines.join("\n") + "\n";
+    out.write("cost.txt", &text)?;
+    print!("\n{text}");
+    Ok(())
+}
+
+fn print_recommendations(recommended: &[Recommendation]) {
+    let header = [
+        "case",
+        "cheapest",
+        "tolerance",
+        "error [deg]",
+        "seconds",
+        "set-up [s]",
+        "cheapest for one",
+    ];
+    print_rows(
+        &header,
+        recommended.iter().map(|row| {
+            vec![
+                row.case.clone(),
+                row.model.clone(),
+                format!("{:.0e}", row.tolerance),
+                format!("{:.1e}", row.error_deg),
+                format!("{:.1e}", row.seconds),
+                format!("{:.1e}", row.set_up_seconds),
+                row.model_for_one.clone(),
+            ]
+        }),
+    );
+}
+
+fn break_even_lines(rows: &[CostRow]) -> Vec<String> {
+    (break_even(rows).into_iter())
+        .map(|(model, trajectories)| {
+            format!("{model}: the table has paid for itself after {trajectories:.1} trajectories")
+        })
+        .collect()
+}
+
+fn scaling_lines(rows: &[CostRow]) -> Vec<String> {
+    let mut lines: Vec<String> = ["bem-assembly", "bem-factorisation"]
+        .map(|model| {
+            let power = exponent(rows, model);
+            format!("{model}: time goes as unknowns to the power {power:.2}")
+        })
+        .into();
+    let sweeps = |threads: &'static str| {
+        (rows.iter()).filter(move |r| r.model == "exact-table-sweep" && r.gap_or_case == threads)
+    };
+    for (one, two) in sweeps("1 thread").zip(sweeps("2 threads")) {
+        lines.push(format!(
+            "sweep of {} trajectories: {:.2e} s by one thread, {:.2} times as fast by two",
+            one.value,
+            one.seconds,
+            one.seconds / two.seconds
+        ));
+    }
+    let most = rows
+        .iter()
+        .map(|r| r.peak_memory_mib)
+        .fold(f64::NAN, f64::max);
+    lines.push(format!("peak memory: {most:.0} MiB"));
+    lines
+}
+
+fn profile_lines(rows: &[CostRow]) -> Vec<String> {
+    (rows.iter())
+        .filter(|row| row.part == Part::Profile)
+        .map(|row| {
+            let CostRow {
+                model,
+                knob,
+                gap_or_case,
+                seconds,
+                ..
+            } = row;
+            format!("{model}, {gap_or_case}: {knob} {seconds:.2e} s")
+        })
+        .collect()
+}

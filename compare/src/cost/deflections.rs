@@ -1,0 +1,219 @@
+//! Error of the outgoing angles against the time of a trajectory, with the stepper's tolerance as
+//! the knob.
+//!
+//! The referee is the exact series read from a table at their own noise, with a much tighter stepper.
+//! A model's trajectory with that stepper tells the two parts of its error: how far the tight
+//! trajectory is from the referee's is the model's, how far the loose one is from the tight one the
+//! integration's.
+
+use std::time::Instant;
+
+use bem::Bem;
+use exact::Exact;
+use lt::{Form, Lubrication};
+use scene::{Gap, Hydrodynamics, Outcome, Run, RunOptions, Scene, SceneError, run};
+
+use super::tables::Tables;
+use super::timing::timed;
+use super::{CostOptions, CostRow, MODES, Part};
+use crate::{Approach, Case, CompareError, Defaults, Method};
+
+/// Tolerances of the stepper.
+const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+
+/// The same where every load is solved for.
+const DIRECT_TOLERANCES: [f64; 2] = [1e-3, 1e-6];
+
+/// The referee's tolerance of the stepper.
+const REFEREE: f64 = 1e-13;
+
+/// A scene run at a tolerance; every model has its own compiled loop behind it.
+type RunAt<'a> = Box<dyn Fn(&Scene, f64) -> Result<Run, SceneError> + 'a>;
+
+/// A model to be measured.
+struct Entrant<'a> {
+    name: String,
+    /// Seconds of building its table; of one solve, for a model without a table.
+    set_up_seconds: f64,
+    run: RunAt<'a>,
+}
+
+impl<'a> Entrant<'a> {
+    fn new<M: Hydrodynamics>(name: impl Into<String>, set_up_seconds: f64, model: &'a M) -> Self {
+        Self {
+            name: name.into(),
+            set_up_seconds,
+            run: Box::new(move |scene, tolerance| run(scene, model, &at(tolerance))),
+        }
+    }
+}
+
+fn at(tolerance: f64) -> RunOptions {
+    RunOptions {
+        tolerance,
+        ..RunOptions::default()
+    }
+}
+
+pub(super) fn measure(
+    options: &CostOptions,
+    tables: &Tables,
+    rows: &mut Vec<CostRow>,
+) -> Result<(), CompareError> {
+    let forms = [Form::Published, Form::Corrected].map(Lubrication::new);
+    let exact = tables.usual_exact();
+    let mut entrants = vec![
+        Entrant::new(Method::Lt.name(), 0.0, &forms[0]),
+        Entrant::new(Method::LtCorrected.name(), 0.0, &forms[1]),
+        Entrant::new("exact-table", exact.seconds, &exact.table),
+    ];
+    for built in tables.usual_bem() {
+        let name = format!("bem-{}-table", built.table.model().level());
+        entrants.push(Entrant::new(name, built.seconds, &built.table));
+    }
+    let cases = cases()?;
+    let mut references = Vec::with_capacity(cases.len());
+    for case in &cases {
+        let scene = case.scene()?;
+        let reference = run(&scene, tables.referee(), &at(REFEREE))?;
+        for entrant in &entrants {
+            let tight = (entrant.run)(&scene, REFEREE);
+            for tolerance in TOLERANCES {
+                let (found, timing) = timed(|| (entrant.run)(&scene, tolerance));
+                let mut row = row(&entrant.name, tolerance, case);
+                row.set_up_seconds = entrant.set_up_seconds;
+                row.repeats = timing.repeats;
+                fill(&mut row, timing.seconds, &found, &tight, &reference);
+                rows.push(row);
+            }
+        }
+        references.push((*case, scene, reference));
+    }
+    direct(options, tables, &references, rows)
+}
+
+/// Trajectories in which every load is solved for. One that may be expected to take longer than
+/// allowed, by the time of a solve and the loads that a tabulated trajectory takes, is left out,
+/// with NaN.
+fn direct(
+    options: &CostOptions,
+    tables: &Tables,
+    references: &[(Case, Scene, Run)],
+    rows: &mut Vec<CostRow>,
+) -> Result<(), CompareError> {
+    let exact = Exact::new();
+    let coarse = Bem::new(1)?;
+    let usual = Bem::new(Bem::DEFAULT_LEVEL)?;
+    let entrants = [
+        Entrant::new("exact", seconds_of_solve(&exact)?, &exact),
+        Entrant::new("bem-1", seconds_of_solve(&coarse)?, &coarse),
+        Entrant::new(
+            format!("bem-{}", usual.level()),
+            seconds_of_solve(&usual)?,
+            &usual,
+        ),
+    ];
+    for (case, scene, reference) in references {
+        // Why there are tables is shown by one case.
+        if !is_typical(case) {
+            continue;
+        }
+        for entrant in &entrants {
+            for tolerance in DIRECT_TOLERANCES {
+                let alike = run(scene, tables.referee(), &at(tolerance))?;
+                let expected = entrant.set_up_seconds * alike.counters.loads as f64;
+                let mut row = row(&entrant.name, tolerance, case);
+                row.set_up_seconds = 0.0;
+                if expected <= options.direct_limit() {
+                    let started = Instant::now();
+                    let found = (entrant.run)(scene, tolerance);
+                    let seconds = started.elapsed().as_secs_f64();
+                    let unknown = Err(SceneError::NotFinite {
+                        what: "tight trajectory without a table",
+                        value: f64::NAN,
+                    });
+                    row.repeats = 1;
+                    fill(&mut row, seconds, &found, &unknown, reference);
+                }
+                rows.push(row);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Seconds of one solve where collisions go.
+fn seconds_of_solve<M: Hydrodynamics>(model: &M) -> Result<f64, SceneError> {
+    let gap = Gap::new(0.01)?;
+    // The first call may fit a limiting form, once.
+    model.loads(gap, MODES)?;
+    let started = Instant::now();
+    model.loads(gap, MODES)?;
+    Ok(started.elapsed().as_secs_f64())
+}
+
+/// The collision of Fig. 6 that is neither the closest nor a near miss.
+fn is_typical(case: &Case) -> bool {
+    case.approach == Approach::HeadOn && (case.dx - 2.0).abs() < 0.5
+}
+
+/// All encounters of Figs 6 and 7.
+fn cases() -> Result<Vec<Case>, CompareError> {
+    let defaults = Defaults::paper()?;
+    let mut cases = Vec::new();
+    for approach in [Approach::HeadOn, Approach::Orthogonal] {
+        let lists = defaults.encounters(approach);
+        for &beta in &lists.beta {
+            cases.extend(lists.dx.iter().map(|&dx| Case {
+                approach,
+                beta,
+                dx,
+                dz: 0.0,
+            }));
+        }
+    }
+    Ok(cases)
+}
+
+fn row(model: &str, tolerance: f64, case: &Case) -> CostRow {
+    let Case {
+        approach, beta, dx, ..
+    } = case;
+    let name = format!("{approach} beta {beta} dx {dx}");
+    CostRow::new(Part::Deflection, model, ("tolerance", tolerance), name)
+}
+
+/// Fills in errors, counters and time, unless the run failed.
+fn fill(
+    row: &mut CostRow,
+    seconds: f64,
+    found: &Result<Run, SceneError>,
+    tight: &Result<Run, SceneError>,
+    reference: &Run,
+) {
+    let Ok(found) = found else { return };
+    row.seconds = seconds;
+    row.steps = found.counters.steps as f64;
+    row.rejected = found.counters.rejected as f64;
+    row.loads = found.counters.loads as f64;
+    (row.error, row.error_rms) = difference(found, reference);
+    if let Ok(tight) = tight {
+        row.model_error = difference(tight, reference).0;
+        row.integration_error = difference(found, tight).0;
+    }
+}
+
+/// Largest and root-mean-square difference of the two outgoing angles, in degrees; NaN unless both
+/// pairs parted, since a bound pair has none.
+fn difference(found: &Run, reference: &Run) -> (f64, f64) {
+    let parted = |run: &Run| run.outcome == Outcome::Scattered;
+    if !(parted(found) && parted(reference)) {
+        return (f64::NAN, f64::NAN);
+    }
+    let [a, b] = [0, 1].map(|k| {
+        (found.deflections()[k] - reference.deflections()[k])
+            .to_degrees()
+            .abs()
+    });
+    (a.max(b), (0.5 * (a * a + b * b)).sqrt())
+}

@@ -1,0 +1,113 @@
+//! Error of the loads at a gap against the time of one evaluation.
+
+use bem::Bem;
+use exact::Exact;
+use lt::{Form, Lubrication};
+use scene::{Gap, Hydrodynamics, PairLoads, SceneError};
+
+use super::tables::{Built, Tables};
+use super::timing::timed;
+use super::{CostOptions, CostRow, MODES, Part};
+use crate::{CompareError, Method};
+
+/// Gaps at which loads are compared, in radii.
+const GAPS: [f64; 4] = [1.0, 0.1, 0.01, 0.001];
+
+/// Factors of the number of terms of the series.
+const TERMS: [f64; 5] = [0.25, 0.35, 0.5, 0.7, 1.0];
+
+/// The referee's factor of the number of terms.
+const REFEREE_TERMS: f64 = 1.5;
+
+pub(super) fn measure(
+    options: &CostOptions,
+    tables: &Tables,
+    rows: &mut Vec<CostRow>,
+) -> Result<(), CompareError> {
+    let referee = Exact::with_terms(REFEREE_TERMS).map_err(SceneError::from)?;
+    let levels = (1..=options.highest_level())
+        .map(Bem::new)
+        .collect::<Result<Vec<_>, _>>()?;
+    for eps in GAPS {
+        let gap = Gap::new(eps)?;
+        let reference = (referee.series_loads(gap, MODES)).map_err(SceneError::from)?;
+        let at = At { gap, reference };
+        for (method, form) in [
+            (Method::Lt, Form::Published),
+            (Method::LtCorrected, Form::Corrected),
+        ] {
+            let model = Lubrication::new(form);
+            rows.push(at.row(method.name(), ("none", f64::NAN), || {
+                model.loads(gap, MODES)
+            }));
+        }
+        for factor in TERMS {
+            let model = Exact::with_terms(factor).map_err(SceneError::from)?;
+            rows.push(at.row("exact", ("terms factor", factor), || {
+                Ok(model.series_loads(gap, MODES)?)
+            }));
+        }
+        for built in &tables.exact {
+            rows.push(at.table_row("exact-table".to_owned(), built));
+        }
+        for built in &tables.bem {
+            let model = format!("bem-{}-table", built.table.model().level());
+            rows.push(at.table_row(model, built));
+        }
+        for model in &levels {
+            let knob = ("level", model.level() as f64);
+            let mut row = at.row("bem", knob, || model.loads(gap, MODES));
+            row.solves = model
+                .solve(gap, MODES)
+                .map_or(f64::NAN, |s| s.solves as f64);
+            rows.push(row);
+        }
+    }
+    Ok(())
+}
+
+/// A gap with the referee's loads.
+struct At {
+    gap: Gap,
+    reference: PairLoads,
+}
+
+impl At {
+    fn row(
+        &self,
+        model: &str,
+        knob: (&str, f64),
+        loads: impl Fn() -> Result<PairLoads, SceneError>,
+    ) -> CostRow {
+        let mut row = CostRow::new(Part::Loads, model, knob, self.gap.eps().to_string());
+        let (loads, timing) = timed(loads);
+        if let Ok(loads) = loads {
+            (row.error, row.error_rms) = errors(&loads, &self.reference);
+            row.seconds = timing.seconds;
+            row.repeats = timing.repeats;
+        }
+        row
+    }
+
+    fn table_row<M: Hydrodynamics>(&self, model: String, built: &Built<M>) -> CostRow {
+        // From its logarithm, as a trajectory asks.
+        let ln_gap = self.gap.ln();
+        let knob = ("table tolerance", built.tolerance);
+        let mut row = self.row(&model, knob, || {
+            (built.table).loads(Gap::from_ln(std::hint::black_box(ln_gap)), MODES)
+        });
+        row.set_up_seconds = built.seconds;
+        row.loads = built.table.summary().evaluations as f64;
+        row
+    }
+}
+
+/// Largest and root-mean-square error, relative to the larger of the reference and 1.
+fn errors(loads: &PairLoads, reference: &PairLoads) -> (f64, f64) {
+    let errors: Vec<f64> = (loads.named().iter().zip(reference.named()))
+        .map(|((_, found), (_, expected))| (found - expected).abs() / expected.abs().max(1.0))
+        .collect();
+    let squares: f64 = errors.iter().map(|e| e * e).sum();
+    let largest = errors.iter().copied().fold(0.0, f64::max);
+    (largest, (squares / errors.len() as f64).sqrt())
+}

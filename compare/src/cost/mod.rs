@@ -1,0 +1,73 @@
+//! What accuracy costs in time: error against time for every method and knob, as measured rows.
+//!
+//! After the work-precision diagrams of SciMLBenchmarks: times are the smallest of repeats after a
+//! warm-up, every norm of the error is kept, the referee is a tighter solve of the exact series, and
+//! what failed is a row of NaN.
+
+mod deflections;
+mod loads;
+mod recommend;
+mod row;
+mod scaling;
+mod tables;
+mod timing;
+
+use crate::CompareError;
+
+pub(crate) use recommend::parse_target;
+pub use recommend::{Recommendation, recommend};
+pub use row::{CostRow, Part, read};
+pub use scaling::{break_even, exponent};
+
+use tables::Tables;
+
+/// How much is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CostOptions {
+    /// Fewer levels, cases and repeats: within a minute instead of ten.
+    pub quick: bool,
+}
+
+impl CostOptions {
+    /// Highest refinement level of the boundary elements whose loads are solved for.
+    fn highest_level(&self) -> usize {
+        if self.quick { 2 } else { 5 }
+    }
+
+    /// Refinement levels of the boundary elements that are tabulated.
+    fn table_levels(&self) -> &'static [usize] {
+        if self.quick { &[1] } else { &[1, 2, 3] }
+    }
+
+    /// Seconds that one run without a table may be expected to take; a dearer one is left out.
+    fn direct_limit(&self) -> f64 {
+        if self.quick { 2.0 } else { 60.0 }
+    }
+}
+
+/// Parts that [`measure`] tells of.
+pub const STAGES: usize = 5;
+
+/// Measures everything; `done` is called after each of the [`STAGES`].
+///
+/// # Errors
+/// [`CompareError`] if the referee or the paper's cases fail; a failure of what is measured is a row
+/// of NaN.
+pub fn measure(options: &CostOptions, done: &dyn Fn()) -> Result<Vec<CostRow>, CompareError> {
+    let mut rows = Vec::new();
+    let tables = Tables::build(options)?;
+    done();
+    loads::measure(options, &tables, &mut rows)?;
+    done();
+    scaling::boundary_elements(options, &mut rows)?;
+    done();
+    deflections::measure(options, &tables, &mut rows)?;
+    done();
+    scaling::right_hand_sides(&tables, &mut rows)?;
+    scaling::sweeps(options, &tables, &mut rows)?;
+    done();
+    Ok(rows)
+}
+
+/// Squirming modes of the paper's cases.
+const MODES: usize = 2;

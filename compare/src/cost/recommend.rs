@@ -1,0 +1,120 @@
+//! The cheapest method and knobs that reach a target, from the measured rows.
+
+use serde::Serialize;
+
+use super::{CostRow, Part};
+use crate::CompareError;
+
+/// The cheapest way to the target in one case; NaN and `none` where nothing that was measured reaches
+/// it. The orders of the columns are those of `cost-target.csv`.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Recommendation {
+    /// The case.
+    pub case: String,
+    /// Largest error of the outgoing angles that is allowed, in degrees.
+    pub target_deg: f64,
+    /// The model that takes the shortest time a trajectory, set-up left out.
+    pub model: String,
+    /// Its tolerance of the stepper.
+    pub tolerance: f64,
+    /// Its error, in degrees.
+    pub error_deg: f64,
+    /// Seconds of one trajectory.
+    pub seconds: f64,
+    /// Seconds of setting it up, once.
+    pub set_up_seconds: f64,
+    /// The model that takes the shortest time for a single trajectory, set-up included.
+    pub model_for_one: String,
+}
+
+/// The cheapest method and knobs in each case, in the order of the rows.
+#[must_use]
+pub fn recommend(rows: &[CostRow], target_deg: f64) -> Vec<Recommendation> {
+    let deflections = || rows.iter().filter(|row| row.part == Part::Deflection);
+    let mut cases: Vec<&str> = Vec::new();
+    for row in deflections() {
+        if !cases.contains(&row.gap_or_case.as_str()) {
+            cases.push(&row.gap_or_case);
+        }
+    }
+    let of = |case: &&str| {
+        let case = *case;
+        let reach =
+            || deflections().filter(move |r| r.gap_or_case == case && r.error <= target_deg);
+        let cheapest = |cost: fn(&CostRow) -> f64| {
+            reach()
+                .filter(|row| cost(row).is_finite())
+                .min_by(|a, b| cost(a).total_cmp(&cost(b)))
+        };
+        let many = cheapest(|row| row.seconds);
+        let one = cheapest(|row| row.seconds + row.set_up_seconds);
+        let name = |row: Option<&CostRow>| row.map_or("none".to_owned(), |r| r.model.clone());
+        let number = |of: fn(&CostRow) -> f64| many.map_or(f64::NAN, of);
+        Recommendation {
+            case: case.to_owned(),
+            target_deg,
+            model: name(many),
+            tolerance: number(|row| row.value),
+            error_deg: number(|row| row.error),
+            seconds: number(|row| row.seconds),
+            set_up_seconds: number(|row| row.set_up_seconds),
+            model_for_one: name(one),
+        }
+    };
+    cases.iter().map(of).collect()
+}
+
+/// A target such as `0.1deg`, in degrees.
+///
+/// # Errors
+/// [`CompareError::Input`] unless it is a positive number with or without `deg`.
+pub(crate) fn parse_target(text: &str) -> Result<f64, CompareError> {
+    let number = text.trim().trim_end_matches("deg").trim();
+    match number.parse::<f64>() {
+        Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
+        _ => Err(CompareError::input(
+            "--target",
+            text,
+            "give an angle greater than 0 in degrees, such as 0.1deg",
+        )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(model: &str, error: f64, seconds: f64, set_up_seconds: f64) -> CostRow {
+        CostRow {
+            error,
+            seconds,
+            set_up_seconds,
+            ..CostRow::new(Part::Deflection, model, ("tolerance", 1e-6), "a case")
+        }
+    }
+
+    #[test]
+    fn the_cheapest_that_reaches_the_target_is_recommended() {
+        let rows = [
+            row("rough", 5.0, 1e-6, 0.0),
+            row("table", 0.01, 1e-4, 2.0),
+            row("direct", 0.02, 1.0, 0.0),
+            row("failed", f64::NAN, f64::NAN, 0.0),
+        ];
+        let [found] = &recommend(&rows, 0.1)[..] else {
+            panic!("one case, one recommendation")
+        };
+        assert_eq!((&*found.model, &*found.model_for_one), ("table", "direct"));
+        assert_eq!(recommend(&rows, 1e-9)[0].model, "none");
+    }
+
+    #[test]
+    fn targets_are_angles() {
+        for text in ["0.1deg", "0.1", " 0.1 deg"] {
+            assert!((parse_target(text).unwrap() - 0.1).abs() < 1e-15);
+        }
+        for text in ["", "deg", "-1deg", "0", "nan", "1rad"] {
+            assert!(parse_target(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! The tables that are measured, with what building them took.
+
+use std::time::Instant;
+
+use bem::Bem;
+use exact::Exact;
+use scene::{Hydrodynamics, TableOptions, Tabulated};
+
+use super::{CostOptions, MODES};
+use crate::progress::Progress;
+use crate::{BEM_TABLE_TOLERANCE, CompareError, EXACT_TABLE_TOLERANCE};
+
+/// Smallest gap of the exact tables: well below what repulsion lets the paper's pairs reach.
+const SMALLEST_GAP: f64 = 1e-4;
+
+/// Tolerances of the exact tables, the last one the referee's.
+const EXACT_TOLERANCES: [f64; 4] = [1e-3, 1e-6, EXACT_TABLE_TOLERANCE, 1e-11];
+
+/// Tolerances of the tables of boundary elements at the lowest level; the others have the last.
+const BEM_TOLERANCES: [f64; 3] = [1e-2, 1e-4, BEM_TABLE_TOLERANCE];
+
+/// A table, and what building it took.
+pub(super) struct Built<M> {
+    pub(super) table: Tabulated<M>,
+    pub(super) tolerance: f64,
+    pub(super) seconds: f64,
+}
+
+/// All tables.
+pub(super) struct Tables {
+    /// By falling tolerance.
+    pub(super) exact: Vec<Built<Exact>>,
+    /// By level and falling tolerance.
+    pub(super) bem: Vec<Built<Bem>>,
+}
+
+impl Tables {
+    pub(super) fn build(options: &CostOptions) -> Result<Self, CompareError> {
+        let exact = EXACT_TOLERANCES.map(|tolerance| build(Exact::new(), tolerance));
+        let mut bem = Vec::new();
+        for (number, &level) in options.table_levels().iter().enumerate() {
+            let from = if number == 0 && !options.quick {
+                0
+            } else {
+                BEM_TOLERANCES.len() - 1
+            };
+            for &tolerance in &BEM_TOLERANCES[from..] {
+                bem.push(build(Bem::new(level)?, tolerance)?);
+            }
+        }
+        Ok(Self {
+            exact: exact.into_iter().collect::<Result<_, _>>()?,
+            bem,
+        })
+    }
+
+    /// The exact table that the commands use.
+    pub(super) fn usual_exact(&self) -> &Built<Exact> {
+        &self.exact[EXACT_TOLERANCES.len() - 2]
+    }
+
+    /// The table that stands for the exact series where errors of deflections are measured.
+    pub(super) fn referee(&self) -> &Tabulated<Exact> {
+        &self.exact[EXACT_TOLERANCES.len() - 1].table
+    }
+
+    /// The finest table of each level of boundary elements.
+    pub(super) fn usual_bem(&self) -> impl Iterator<Item = &Built<Bem>> {
+        (self.bem.iter()).filter(|built| built.tolerance <= BEM_TABLE_TOLERANCE)
+    }
+}
+
+fn build<M: Hydrodynamics>(model: M, tolerance: f64) -> Result<Built<M>, CompareError> {
+    let started = Instant::now();
+    let options = TableOptions {
+        modes: MODES,
+        tolerance,
+        smallest_gap: SMALLEST_GAP,
+    };
+    let progress = Progress::counting("tables: gaps solved");
+    let table = Tabulated::build(model, options, &|done| progress.set(done))?;
+    progress.finish();
+    Ok(Built {
+        table,
+        tolerance,
+        seconds: started.elapsed().as_secs_f64(),
+    })
+}

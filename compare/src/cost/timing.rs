@@ -1,0 +1,66 @@
+//! Wall-clock time of a call: the smallest of repeats after a warm-up.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// A call that takes longer is run once.
+const ONCE_BEYOND: Duration = Duration::from_secs(2);
+
+/// Calls are timed in batches of at least this, far above the clock's resolution.
+const BATCH: Duration = Duration::from_micros(50);
+
+/// Time given to the repeats of a call, and the fewest batches.
+const BUDGET: Duration = Duration::from_millis(20);
+const FEWEST: u32 = 3;
+
+/// What a call took.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Timing {
+    /// Seconds a call.
+    pub(super) seconds: f64,
+    /// Calls that were timed.
+    pub(super) repeats: u64,
+}
+
+/// The value of `call`, and what a call takes.
+pub(super) fn timed<T>(call: impl Fn() -> T) -> (T, Timing) {
+    let started = Instant::now();
+    let value = call();
+    let first = started.elapsed();
+    if first > ONCE_BEYOND {
+        let timing = Timing {
+            seconds: first.as_secs_f64(),
+            repeats: 1,
+        };
+        return (value, timing);
+    }
+    let size = batch_size(&call);
+    let (mut best, mut batches) = (f64::INFINITY, 0);
+    let started = Instant::now();
+    while batches < FEWEST || started.elapsed() < BUDGET {
+        best = best.min(batch(&call, size).as_secs_f64() / f64::from(size));
+        batches += 1;
+    }
+    let repeats = u64::from(batches) * u64::from(size);
+    let timing = Timing {
+        seconds: best,
+        repeats,
+    };
+    (value, timing)
+}
+
+fn batch_size<T>(call: &impl Fn() -> T) -> u32 {
+    let mut size = 1;
+    while size < 1 << 20 && batch(call, size) < BATCH {
+        size *= 2;
+    }
+    size
+}
+
+fn batch<T>(call: &impl Fn() -> T, size: u32) -> Duration {
+    let started = Instant::now();
+    for _ in 0..size {
+        black_box(call());
+    }
+    started.elapsed()
+}
