@@ -7,7 +7,7 @@ use super::canvas::{
     picture,
 };
 use super::style::{Dash, Shape, colour};
-use super::{FigureError, approach_title, number, power_of_ten};
+use super::{FigureError, approach_title, power_of_ten};
 use crate::Approach;
 use crate::cost::{CostRow, Part};
 
