@@ -102,7 +102,7 @@ fn print_recommendations(recommended: &[Recommendation]) {
 fn break_even_lines(rows: &[CostRow]) -> Vec<String> {
     (break_even(rows).into_iter())
         .map(|(model, trajectories)| {
-            format!("{model}: the table has paid for itself after {trajectories:.1} trajectories")
+            format!("{model}: the table has paid for itself after {trajectories:.2} trajectories")
         })
         .collect()
 }

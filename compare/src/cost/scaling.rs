@@ -96,7 +96,7 @@ pub fn break_even(rows: &[CostRow]) -> Vec<(String, f64)> {
         middle(|row| row.set_up_seconds) / (direct - middle(|row| row.seconds))
     };
     (models.into_iter())
-        .map(|model| (model.to_owned(), of(model).max(0.0)))
+        .map(|model| (model.to_owned(), of(model)))
         .collect()
 }
 

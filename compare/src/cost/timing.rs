@@ -34,7 +34,7 @@ pub(super) fn timed<T>(call: impl Fn() -> T) -> (T, Timing) {
         };
         return (value, timing);
     }
-    let size = batch_size(&call);
+    let size = if first >= BATCH { 1 } else { batch_size(&call) };
     let (mut best, mut batches) = (f64::INFINITY, 0);
     let started = Instant::now();
     while batches < FEWEST || started.elapsed() < BUDGET {
