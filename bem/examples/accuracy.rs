@@ -172,7 +172,7 @@ fn report(
     println!(
         "{:5} {eps:7.0e} {:8} {:6.2} {:8.3} {:7.3} {error:12.2e} {name:>10}",
         model.level(),
-        solution.vertices,
+        solution.nodes,
         mesh.worst_aspect_ratio(),
         solution.seconds.assembly,
         solution.seconds.solve,

@@ -13,6 +13,21 @@ pub enum BemError {
         /// Highest level.
         highest: usize,
     },
+    /// A gap too small for the meshes of a level.
+    #[error(
+        "gap {eps:e} is not resolved by mesh level {level}: {}",
+        advice(*needed, *smallest)
+    )]
+    GapUnresolved {
+        /// The gap, in sphere radii.
+        eps: f64,
+        /// The level asked for.
+        level: usize,
+        /// The lowest level that would do, if there is one.
+        needed: Option<usize>,
+        /// Smallest gap of the highest level.
+        smallest: f64,
+    },
     /// A mesh that should be its own mirror image is not.
     #[error("the mesh is not mirror-symmetric: vertex {vertex} has no image")]
     AsymmetricMesh {
@@ -51,4 +66,11 @@ pub enum BemError {
         /// Number of entries found.
         found: usize,
     },
+}
+
+fn advice(needed: Option<usize>, smallest: f64) -> String {
+    needed.map_or_else(
+        || format!("the finest mesh resolves gaps from {smallest:e}"),
+        |level| format!("level {level} would do"),
+    )
 }

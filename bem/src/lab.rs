@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use crate::dense::solve_all;
 use crate::model::mesh_family;
-use crate::surface::{Block, Profile, Surface, Target};
+use crate::surface::{Block, Profile, Surface, Target, Work};
 use crate::{BemError, slip};
 
 /// Size of the rank-one term that fixes the multiple of the normal in each density.
@@ -238,7 +238,7 @@ fn turned(direction: &Vector3<f64>) -> UnitQuaternion<f64> {
 
 fn places(spheres: &[Sphere<'_>]) -> Vec<Place> {
     let of = |(sphere, s): (usize, &Sphere<'_>)| -> Vec<Place> {
-        let vertices = s.surface.mesh().vertices.iter();
+        let vertices = s.surface.nodes().iter();
         let place = |(vertex, v)| Place {
             sphere,
             vertex,
@@ -257,17 +257,19 @@ fn rows(spheres: &[Sphere<'_>], target: &Place, count: usize) -> Vec<f64> {
         let own = k == target.sphere;
         let apart = spheres[target.sphere].body.position - sphere.body.position;
         let point = if own {
-            sphere.surface.mesh().vertices[target.vertex]
+            sphere.surface.nodes()[target.vertex]
         } else {
             sphere.rotation.inverse() * (target.normal + apart)
         };
-        let mut blocks = vec![Block::default(); sphere.surface.mesh().vertices.len()];
+        let mut blocks = vec![Block::default(); sphere.surface.nodes().len()];
         let at = Target {
             point,
             reference: point,
-            vertex: own.then_some(target.vertex),
+            node: own.then_some(target.vertex),
         };
-        sphere.surface.add_row(&at, &mut blocks);
+        sphere
+            .surface
+            .add_row(&at, &mut blocks, &mut Work::default());
         if own {
             deflate(&sphere.surface, &point, &mut blocks);
         }

@@ -8,12 +8,12 @@
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
-use super::{Grading, Mesh, Orbits, geodesic, polar_angle, refine};
+use super::{Grading, Mesh, Nodes, Orbits, polar_angle, rings};
 use crate::BemError;
 
 /// Meshes for the gaps `smallest <= eps <= largest`, all of one topology.
 #[derive(Clone, Debug)]
-pub struct MeshFamily {
+pub struct MeshFamily<const H: usize = 6> {
     /// Smallest gap, in radii.
     pub smallest: f64,
     /// Largest gap, in radii; infinity for a family of one fixed mesh.
@@ -23,23 +23,17 @@ pub struct MeshFamily {
     orbits: Orbits,
 }
 
-impl MeshFamily {
-    /// Meshes that follow `law` with its cap set to the square root of the gap; the topology is made
-    /// for the geometric mean of the ends. If `largest` is infinite the mesh is one and fixed.
+impl<const H: usize> MeshFamily<H> {
+    /// Meshes that follow `law` at each gap; the topology is made for the geometric mean of the
+    /// ends. If `largest` is infinite the mesh is one and fixed.
     ///
     /// # Errors
     /// [`BemError::AsymmetricMesh`] if refinement lost the mirror symmetry, which it must not.
     pub fn new(law: Grading, smallest: f64, largest: f64) -> Result<Self, BemError> {
-        let cap = if largest.is_finite() {
-            (smallest * largest).sqrt().sqrt()
-        } else {
-            f64::INFINITY
-        };
-        let law = Grading { cap, ..law };
-        // Edges of a geodesic sphere are 1.05 to 1.25 over its frequency.
-        let frequency = (1.2 / law.size(PI)).ceil() as usize;
-        let made = refine(geodesic(frequency), |theta| law.size(theta));
-        let orbits = Orbits::new(&made)?;
+        let gap = (smallest * largest).sqrt();
+        let law = Grading { gap, ..law };
+        let made = rings(&law);
+        let orbits = Orbits::new(&Nodes::<H>::new(&made).points)?;
         Ok(Self {
             smallest,
             largest,
@@ -49,26 +43,26 @@ impl MeshFamily {
         })
     }
 
-    /// Mirror orbits of the vertices, the same for all gaps.
+    /// Mirror orbits of the nodes, the same for all gaps.
     #[must_use]
     pub fn orbits(&self) -> &Orbits {
         &self.orbits
     }
 
-    /// Number of vertices.
+    /// Number of nodes.
     #[must_use]
-    pub fn vertex_count(&self) -> usize {
-        self.made.vertices.len()
+    pub fn node_count(&self) -> usize {
+        self.orbits.images.len()
     }
 
     /// The mesh for the gap `eps`.
     #[must_use]
     pub fn at(&self, eps: f64) -> Mesh {
-        if !self.law.cap.is_finite() {
+        if !self.law.gap.is_finite() {
             return self.made.clone();
         }
         let law = Grading {
-            cap: eps.sqrt(),
+            gap: eps,
             ..self.law
         };
         Mesh {
@@ -98,12 +92,13 @@ impl MeshFamily {
 mod tests {
     use super::*;
 
-    fn family() -> MeshFamily {
+    fn family() -> MeshFamily<3> {
         let law = Grading {
             scale: 1.0,
             far: 0.35,
             slope: 0.35,
-            cap: 1.0,
+            core: 0.5,
+            gap: 1.0,
         };
         MeshFamily::new(law, 0.001, 0.004).unwrap()
     }
@@ -112,7 +107,7 @@ mod tests {
     fn a_graded_mesh_is_its_own_mirror_image_at_every_gap() {
         let family = family();
         for eps in [0.001, 0.0017, 0.004] {
-            let orbits = Orbits::new(&family.at(eps)).unwrap();
+            let orbits = Orbits::new(&Nodes::<3>::new(&family.at(eps)).points).unwrap();
             assert_eq!(orbits.images, family.orbits().images);
         }
     }

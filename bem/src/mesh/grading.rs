@@ -1,7 +1,7 @@
 //! How large panels may be at an angle θ from the contact point.
 //!
 //! ```text
-//! 1/h(θ) = (1/h_far + 1/(slope (θ + sqrt(eps)))) / scale
+//! 1/h(θ) = (1/h_far + 1/(slope (θ + core sqrt(eps)))) / scale
 //! ```
 //!
 //! Near contact the loads live in a cap of angle `sqrt(eps)`, where the gap's width is
@@ -17,22 +17,28 @@ pub struct Grading {
     pub far: f64,
     /// Edge length per angle near contact, for `scale` 1.
     pub slope: f64,
-    /// `sqrt(eps)`, the angle of the cap in which the loads live; infinity for a uniform mesh.
-    pub cap: f64,
+    /// Angle over which panels hardly grow, relative to that of the cap, `sqrt(eps)`.
+    pub core: f64,
+    /// The gap, in radii; infinity for a uniform mesh.
+    pub gap: f64,
 }
 
 impl Grading {
+    fn cap(&self) -> f64 {
+        self.core * self.gap.sqrt()
+    }
+
     /// Edge length at the angle `theta` from the contact point.
     #[must_use]
     pub fn size(&self, theta: f64) -> f64 {
-        self.scale / (1.0 / self.far + 1.0 / (self.slope * (theta + self.cap)))
+        self.scale / (1.0 / self.far + 1.0 / (self.slope * (theta + self.cap())))
     }
 
     /// `H(θ) = ∫₀^θ dθ/h`, the number of panels between the contact point and `theta`.
     #[must_use]
     pub fn panels(&self, theta: f64) -> f64 {
-        let near = if self.cap.is_finite() {
-            (theta / self.cap).ln_1p() / self.slope
+        let near = if self.gap.is_finite() {
+            (theta / self.cap()).ln_1p() / self.slope
         } else {
             0.0
         };
@@ -63,12 +69,13 @@ mod tests {
 
     #[test]
     fn angle_of_share_inverts_the_count_of_panels() {
-        for cap in [0.01, 0.3, f64::INFINITY] {
+        for gap in [1e-4, 0.1, f64::INFINITY] {
             let law = Grading {
                 scale: 0.7,
                 far: 0.3,
                 slope: 0.25,
-                cap,
+                core: 0.5,
+                gap,
             };
             for theta in [1e-3, 0.1, 1.0, 3.0] {
                 let share = law.panels(theta) / law.panels(std::f64::consts::PI);

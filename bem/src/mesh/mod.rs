@@ -1,20 +1,20 @@
 //! Triangulated unit spheres, finer towards the contact point `+z`, mirror-symmetric in x and y.
 //!
-//! A mesh begins as a geodesic sphere ([`geodesic`]), is bisected towards the contact point
-//! ([`refine`]) until its edges follow a size law ([`Grading`]), and moves along its meridians with
-//! the gap ([`MeshFamily`]), so that between seams loads are a smooth function of the gap.
+//! A mesh is made of rings about the line of centres ([`rings`]), whose distances follow a size law
+//! ([`Grading`]), and moves along its meridians with the gap ([`MeshFamily`]), so that between seams
+//! loads are a smooth function of the gap. Densities live at its [`Nodes`].
 
+mod element;
 mod family;
-mod geodesic;
 mod grading;
 mod orbits;
-mod refine;
+mod rings;
 
+pub use element::{Nodes, hats, local_nodes};
 pub use family::MeshFamily;
-pub use geodesic::geodesic;
 pub use grading::Grading;
 pub use orbits::{Image, Orbits};
-pub use refine::refine;
+pub use rings::rings;
 
 use nalgebra::Vector3;
 

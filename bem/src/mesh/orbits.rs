@@ -1,8 +1,9 @@
-//! Mirror images of vertices: the orbits under `x -> -x` and `y -> -y`.
+//! Mirror images of nodes: the orbits under `x -> -x` and `y -> -y`.
 
 use std::collections::HashMap;
 
-use super::Mesh;
+use nalgebra::Vector3;
+
 use crate::BemError;
 
 /// A vertex as an image of a representative (a vertex with `x >= 0`, `y >= 0`).
@@ -32,14 +33,14 @@ impl Orbits {
     ///
     /// # Errors
     /// [`BemError::AsymmetricMesh`] if a vertex has no exact mirror image.
-    pub fn new(mesh: &Mesh) -> Result<Self, BemError> {
+    pub fn new(points: &[Vector3<f64>]) -> Result<Self, BemError> {
         // Adding 0.0 turns -0.0 into 0.0.
         let key = |v: usize| {
-            let p = &mesh.vertices[v];
+            let p = &points[v];
             [p.x.abs(), p.y.abs(), p.z + 0.0].map(f64::to_bits)
         };
-        let representatives: Vec<usize> = (0..mesh.vertices.len())
-            .filter(|&v| mesh.vertices[v].x >= 0.0 && mesh.vertices[v].y >= 0.0)
+        let representatives: Vec<usize> = (0..points.len())
+            .filter(|&v| points[v].x >= 0.0 && points[v].y >= 0.0)
             .collect();
         let index: HashMap<_, _> = representatives
             .iter()
@@ -47,8 +48,8 @@ impl Orbits {
             .map(|(&v, i)| (key(v), i))
             .collect();
         let mut sizes = vec![0; representatives.len()];
-        let mut images = Vec::with_capacity(mesh.vertices.len());
-        for (vertex, p) in mesh.vertices.iter().enumerate() {
+        let mut images = Vec::with_capacity(points.len());
+        for (vertex, p) in points.iter().enumerate() {
             let &of = index
                 .get(&key(vertex))
                 .ok_or(BemError::AsymmetricMesh { vertex })?;
@@ -64,13 +65,13 @@ impl Orbits {
             sizes,
             images,
         };
-        orbits.check(mesh)?;
+        orbits.check(points)?;
         Ok(orbits)
     }
 
-    fn check(&self, mesh: &Mesh) -> Result<(), BemError> {
+    fn check(&self, points: &[Vector3<f64>]) -> Result<(), BemError> {
         for (&vertex, &size) in self.representatives.iter().zip(&self.sizes) {
-            let p = &mesh.vertices[vertex];
+            let p = &points[vertex];
             let expected = if p.x > 0.0 { 2 } else { 1 } * if p.y > 0.0 { 2 } else { 1 };
             if size != expected {
                 return Err(BemError::AsymmetricMesh { vertex });

@@ -13,8 +13,10 @@ use std::f64::consts::PI;
 use rayon::prelude::*;
 
 use super::parity::{Motion, Parity};
-use crate::mesh::{Mesh, Orbits};
-use crate::surface::{Block, Surface, Target, mirrored_z};
+use nalgebra::Vector3;
+
+use crate::mesh::Orbits;
+use crate::surface::{Block, Surface, Target, Work, mirrored_z};
 
 /// Size of the rank-one term, about that of the single layer's own eigenvalues.
 const DEFLATION: f64 = 1.0 / (2.0 * PI);
@@ -31,11 +33,11 @@ pub struct Class {
 
 impl Class {
     /// Numbers the unknowns of a class.
-    pub fn new(parity: Parity, mesh: &Mesh, orbits: &Orbits) -> Self {
+    pub fn new(parity: Parity, nodes: &[Vector3<f64>], orbits: &Orbits) -> Self {
         let mut unknowns = Vec::new();
         let mut index = Vec::new();
         for (j, &vertex) in orbits.representatives.iter().enumerate() {
-            let p = mesh.vertices[vertex];
+            let p = nodes[vertex];
             // Vertices of positive coordinates only: these are on the plane, or clearly off it.
             let allowed = parity.allowed(p.x <= 0.0, p.y <= 0.0);
             index.push([0, 1, 2].map(|component| {
@@ -66,11 +68,17 @@ impl Class {
         }
     }
 
-    fn deflate(&self, surface: &Surface, orbits: &Orbits, vertex: usize, rows: &mut [Vec<f64>; 3]) {
+    fn deflate<const H: usize>(
+        &self,
+        surface: &Surface<H>,
+        orbits: &Orbits,
+        vertex: usize,
+        rows: &mut [Vec<f64>; 3],
+    ) {
         if self.parity.motion != Motion::Axial {
             return;
         }
-        let vertices = &surface.mesh().vertices;
+        let vertices = surface.nodes();
         for (column, &(j, c)) in self.unknowns.iter().enumerate() {
             let v = orbits.representatives[j];
             let weight = DEFLATION * orbits.sizes[j] as f64 * surface.deflation(v)[c];
@@ -84,36 +92,37 @@ impl Class {
 /// Matrices of all classes, each row by row.
 ///
 /// Each target is one task, which sums in a fixed order: the same bits for any number of threads.
-pub fn assemble(
-    surface: &Surface,
-    reference: &Mesh,
+pub fn assemble<const H: usize>(
+    surface: &Surface<H>,
+    reference: &[Vector3<f64>],
     orbits: &Orbits,
     classes: &[Class],
     distance: f64,
     reference_distance: f64,
-) -> Vec<Vec<f64>> {
-    let rows: Vec<Vec<Vec<f64>>> = orbits
+) -> (Vec<Vec<f64>>, Work) {
+    let rows: Vec<(Vec<Vec<f64>>, Work)> = orbits
         .representatives
         .par_iter()
         .enumerate()
         .map(|(i, &vertex)| {
-            let point = surface.mesh().vertices[vertex];
-            let at = reference.vertices[vertex];
+            let point = surface.nodes()[vertex];
+            let at = reference[vertex];
             let mut own = vec![Block::default(); orbits.images.len()];
             let mut other = own.clone();
+            let mut work = Work::default();
             let target = Target {
                 point,
                 reference: at,
-                vertex: Some(vertex),
+                node: Some(vertex),
             };
-            surface.add_row(&target, &mut own);
+            surface.add_row(&target, &mut own, &mut work);
             let target = Target {
                 point: mirrored_z(&point, distance),
                 reference: mirrored_z(&at, reference_distance),
-                vertex: None,
+                node: None,
             };
-            surface.add_row(&target, &mut other);
-            classes
+            surface.add_row(&target, &mut other, &mut work);
+            let rows = classes
                 .iter()
                 .map(|class| {
                     let mut rows = [(); 3].map(|()| vec![0.0; class.unknowns.len()]);
@@ -121,13 +130,23 @@ pub fn assemble(
                     class.deflate(surface, orbits, vertex, &mut rows);
                     wanted(&class.index[i], rows)
                 })
+                .collect();
+            (rows, work)
+        })
+        .collect();
+    let mut total = Work::default();
+    for (_, work) in &rows {
+        total += *work;
+    }
+    let matrices = (0..classes.len())
+        .into_par_iter()
+        .map(|k| {
+            rows.iter()
+                .flat_map(|(of, _)| of[k].iter().copied())
                 .collect()
         })
         .collect();
-    (0..classes.len())
-        .into_par_iter()
-        .map(|k| rows.iter().flat_map(|of| of[k].iter().copied()).collect())
-        .collect()
+    (matrices, total)
 }
 
 fn wanted(index: &[Option<usize>; 3], rows: [Vec<f64>; 3]) -> Vec<f64> {

@@ -23,8 +23,8 @@ use scene::{PairLoads, SelfOther};
 use super::assembly::{Class, assemble};
 use super::parity::{Motion, Parity, Swap};
 use crate::dense::solve_all;
-use crate::mesh::MeshFamily;
-use crate::surface::{Profile, Surface};
+use crate::mesh::{MeshFamily, Nodes};
+use crate::surface::{Profile, Surface, Work};
 use crate::{BemError, slip};
 
 /// Wall-clock time of the two parts of a solve, in seconds.
@@ -41,12 +41,14 @@ pub struct Seconds {
 pub struct PairSolution {
     /// The loads.
     pub loads: PairLoads,
-    /// Vertices on each sphere.
-    pub vertices: usize,
+    /// Nodes on each sphere: vertices and middles of edges.
+    pub nodes: usize,
     /// Dense systems factorised.
     pub solves: usize,
-    /// What it took.
+    /// Wall-clock time.
     pub seconds: Seconds,
+    /// What assembly was spent on.
+    pub work: Work,
 }
 
 /// Beyond this the spheres are alone to rounding; it keeps squares finite.
@@ -56,19 +58,23 @@ const FARTHEST: f64 = 1e15;
 ///
 /// # Errors
 /// [`BemError::Residual`] if a dense system could not be solved.
-pub fn solve(family: &MeshFamily, eps: f64, modes: usize) -> Result<PairSolution, BemError> {
+pub fn solve<const H: usize>(
+    family: &MeshFamily<H>,
+    eps: f64,
+    modes: usize,
+) -> Result<PairSolution, BemError> {
     let start = Instant::now();
     let eps = eps.min(FARTHEST);
     let reference = family.at(family.smallest);
-    let surface = Surface::new(
+    let surface = Surface::<H>::new(
         (family.at(eps), Profile::beside_mirror_image(eps)),
         (&reference, Profile::beside_mirror_image(family.smallest)),
     );
     let orbits = family.orbits();
-    let classes = Parity::ALL.map(|parity| Class::new(parity, surface.mesh(), orbits));
-    let matrices = assemble(
+    let classes = Parity::ALL.map(|parity| Class::new(parity, surface.nodes(), orbits));
+    let (matrices, work) = assemble(
         &surface,
-        &reference,
+        &Nodes::<H>::new(&reference).points,
         orbits,
         &classes,
         2.0 + eps,
@@ -82,12 +88,13 @@ pub fn solve(family: &MeshFamily, eps: f64, modes: usize) -> Result<PairSolution
         .collect::<Result<Vec<_>, _>>()?;
     Ok(PairSolution {
         loads: collect(&solved, modes),
-        vertices: family.vertex_count(),
+        nodes: family.node_count(),
         solves: classes.len(),
         seconds: Seconds {
             assembly,
             solve: start.elapsed().as_secs_f64() - assembly,
         },
+        work,
     })
 }
 
@@ -104,18 +111,18 @@ struct Response {
 
 impl Class {
     /// Responses to the translation and the rotation of the class, those that it has.
-    fn responses(
+    fn responses<const H: usize>(
         &self,
         matrix: &[f64],
-        surface: &Surface,
-        family: &MeshFamily,
+        surface: &Surface<H>,
+        family: &MeshFamily<H>,
         modes: usize,
     ) -> Result<Vec<Response>, BemError> {
         let orbits = family.orbits();
         let points: Vec<(Vector3<f64>, usize)> = self
             .unknowns
             .iter()
-            .map(|&(j, c)| (surface.mesh().vertices[orbits.representatives[j]], c))
+            .map(|&(j, c)| (surface.nodes()[orbits.representatives[j]], c))
             .collect();
         let right: Vec<Vec<f64>> = rigid_motions(self.parity.motion)
             .iter()
@@ -129,12 +136,12 @@ impl Class {
             .collect())
     }
 
-    fn response(
+    fn response<const H: usize>(
         &self,
         density: &[f64],
         slips: &[Vec<Vector3<f64>>],
-        surface: &Surface,
-        family: &MeshFamily,
+        surface: &Surface<H>,
+        family: &MeshFamily<H>,
     ) -> Response {
         let orbits = family.orbits();
         let mut force = Vector3::zeros();
@@ -177,7 +184,11 @@ fn rigid_motions(motion: Motion) -> &'static [Velocity] {
 }
 
 /// Slip of each mode, integrated with the hat functions.
-fn slips(motion: Motion, modes: usize, surface: &Surface) -> Vec<Vec<Vector3<f64>>> {
+fn slips<const H: usize>(
+    motion: Motion,
+    modes: usize,
+    surface: &Surface<H>,
+) -> Vec<Vec<Vector3<f64>>> {
     let (d, t) = (Vector3::z(), Vector3::x());
     (1..=modes)
         .filter_map(|n| match motion {

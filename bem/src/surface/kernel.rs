@@ -1,25 +1,30 @@
 //! The hot loop: sums of Stokeslets over the quadrature points of a panel.
 //!
 //! `G = I/r + r r/r³` (Pozrikidis 1992, equation 2.2.8) is symmetric: six numbers a point, and three
-//! of `G y φ`, weighted with the three hat functions. Points come as seven runs of numbers, `x.., y..,
-//! z..`, the weights of the three hats (with area and 1/(8 pi) in them) and the profile φ, so that
-//! distances are computed several at once.
+//! of `G y φ`, weighted with the `H` hat functions. Points come as runs of numbers, `x.., y.., z..`,
+//! the profile φ, and the weights of the hats (with area and 1/(8 pi) in them), so that distances are
+//! computed several at once.
 
 use nalgebra::Vector3;
 
-/// Runs of numbers that describe the points of a panel.
-pub const RUNS: usize = 7;
+/// Runs of numbers before those of the hats.
+pub const RUNS: usize = 4;
+
+/// Numbers a point, with a zero so that they come in pairs.
+const PADDED: usize = 10;
 
 /// For one hat function `∫ G hat` (xx, yy, zz, xy, xz, yz) and `∫ G y φ hat` (x, y, z).
-pub type Sums = [f64; 9];
+pub type Sums = [f64; PADDED];
 
-/// Adds the integrals of the `N` points in `points` at `target`, for the three hat functions.
+/// Adds the integrals of the `N` points in `points` at `target`, for the `H` hat functions.
 #[inline]
-pub fn add<const N: usize>(points: &[f64], target: &Vector3<f64>, sums: &mut [Sums; 3]) {
+fn add<const N: usize, const H: usize>(
+    points: &[f64],
+    target: &Vector3<f64>,
+    sums: &mut [Sums; H],
+) {
     let (runs, _) = points.as_chunks::<N>();
-    let (px, py, pz) = (&runs[0], &runs[1], &runs[2]);
-    let hats = [&runs[3], &runs[4], &runs[5]];
-    let profile = &runs[RUNS - 1];
+    let (px, py, pz, profile) = (&runs[0], &runs[1], &runs[2], &runs[3]);
     let (mut x, mut y, mut z, mut s) = ([0.0; N], [0.0; N], [0.0; N], [0.0; N]);
     for q in 0..N {
         x[q] = target.x - px[q];
@@ -27,13 +32,13 @@ pub fn add<const N: usize>(points: &[f64], target: &Vector3<f64>, sums: &mut [Su
         z[q] = target.z - pz[q];
         s[q] = 1.0 / (x[q] * x[q] + y[q] * y[q] + z[q] * z[q]).sqrt();
     }
-    let mut total = *sums;
+    let mut values = [[0.0; PADDED]; N];
     for q in 0..N {
         let cube = s[q] * s[q] * s[q];
         let (cx, cy, cz) = (cube * x[q], cube * y[q], cube * z[q]);
         let along = profile[q] * (x[q] * px[q] + y[q] * py[q] + z[q] * pz[q]);
         let size = profile[q] * s[q];
-        let g = [
+        values[q] = [
             s[q] + cx * x[q],
             s[q] + cy * y[q],
             s[q] + cz * z[q],
@@ -43,30 +48,41 @@ pub fn add<const N: usize>(points: &[f64], target: &Vector3<f64>, sums: &mut [Su
             size * px[q] + cx * along,
             size * py[q] + cy * along,
             size * pz[q] + cz * along,
+            0.0,
         ];
-        for (sum, hat) in total.iter_mut().zip(&hats) {
-            for (t, entry) in sum.iter_mut().zip(g) {
-                *t += hat[q] * entry;
+    }
+    for (sum, hat) in sums.iter_mut().zip(&runs[RUNS..]) {
+        let mut total = *sum;
+        for (value, weight) in values.iter().zip(hat) {
+            for (t, entry) in total.iter_mut().zip(value) {
+                *t += weight * entry;
             }
         }
+        *sum = total;
     }
-    *sums = total;
 }
 
-/// [`add`] for the product rule of `order` points in each direction.
+/// Adds the integrals of the `count` points in `points` at `target`, for the `H` hat functions.
 #[inline]
-pub fn add_order(order: usize, points: &[f64], target: &Vector3<f64>, sums: &mut [Sums; 3]) {
-    match order {
-        2 => add::<4>(points, target, sums),
-        3 => add::<9>(points, target, sums),
-        4 => add::<16>(points, target, sums),
-        5 => add::<25>(points, target, sums),
-        6 => add::<36>(points, target, sums),
-        _ => add::<49>(points, target, sums),
+pub fn add_points<const H: usize>(
+    count: usize,
+    points: &[f64],
+    target: &Vector3<f64>,
+    sums: &mut [Sums; H],
+) {
+    match count {
+        4 => add::<4, H>(points, target, sums),
+        9 => add::<9, H>(points, target, sums),
+        16 => add::<16, H>(points, target, sums),
+        25 => add::<25, H>(points, target, sums),
+        36 => add::<36, H>(points, target, sums),
+        49 => add::<49, H>(points, target, sums),
+        64 => add::<64, H>(points, target, sums),
+        _ => add::<{ super::CORNER_POINTS }, H>(points, target, sums),
     }
 }
 
-/// Adds the velocity by the density of a vertex, `hat (I + (y φ/φ_v - n) n)`, n the normal there.
+/// Adds the velocity by the density of a node, `hat (I + (y φ/φ_v - n) n)`, n the normal there.
 #[inline]
 pub fn add_block(sums: &Sums, normal: &Vector3<f64>, profile: f64, block: &mut [[f64; 3]; 3]) {
     let [xx, yy, zz, xy, xz, yz, ..] = *sums;

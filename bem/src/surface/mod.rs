@@ -14,25 +14,25 @@
 mod kernel;
 mod panel;
 mod profile;
+mod work;
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Nodes, hats, local_nodes};
 use crate::quadrature::{
     ORDERS, Point, TOLERANCE, corner_rule, order_for, order_limits, product_rule,
 };
 use kernel::{RUNS, Sums};
 use panel::Panel;
+use work::Stopwatch;
 
 pub use profile::Profile;
+pub use work::{Share, Work};
 
 /// Points of the rule for a target at a corner, along its rays and across them.
-const CORNER: (usize, usize) = (7, 12);
-const CORNER_POINTS: usize = CORNER.0 * CORNER.1;
-
-/// Place of the rule for smooth functions: 16 points, degree 7.
-const SMOOTH: usize = 2;
+const CORNER: (usize, usize) = (14, 28);
+pub(crate) const CORNER_POINTS: usize = CORNER.0 * CORNER.1;
 
 /// Deepest division of a panel near a target.
 const DEEPEST: usize = 40;
@@ -53,8 +53,8 @@ pub struct Target {
     pub point: Vector3<f64>,
     /// Where it is in the reference geometry, which decides how many points each panel gets.
     pub reference: Vector3<f64>,
-    /// The vertex that it is, if it is one.
-    pub vertex: Option<usize>,
+    /// The node that it is, if it is one.
+    pub node: Option<usize>,
 }
 
 /// `∫ hat`, `∫ y hat`, `∫ φ hat` and `∫ y φ hat` over the surface, for one vertex.
@@ -71,8 +71,8 @@ struct HatIntegrals {
 /// Rules are chosen by a reference mesh of the same topology, so that for meshes of one family
 /// each integral is a smooth function of the gap: no rule switches as the gap changes.
 #[derive(Clone, Debug)]
-pub struct Surface {
-    mesh: Mesh,
+pub struct Surface<const H: usize = 6> {
+    nodes: Nodes<H>,
     panels: Vec<Panel>,
     /// For each order, the quadrature points of all panels, see [`Panel::fill`].
     points: Vec<Vec<f64>>,
@@ -84,7 +84,7 @@ pub struct Surface {
     hats: Vec<HatIntegrals>,
 }
 
-impl Surface {
+impl<const H: usize> Surface<H> {
     /// The sphere with a mesh and a profile, with rules chosen on `reference`, accurate to [`TOLERANCE`].
     #[must_use]
     pub fn new(geometry: (Mesh, Profile), reference: (&Mesh, Profile)) -> Self {
@@ -103,37 +103,39 @@ impl Surface {
         let panels: Vec<Panel> = mesh
             .triangles
             .iter()
-            .map(|&t| Panel::new(t, mesh.corners(t), reference.0.corners(t)))
+            .map(|&t| Panel::new(mesh.corners(t), reference.0.corners(t)))
             .collect();
         let points = rules
             .par_iter()
             .map(|rule| {
-                let mut all = vec![0.0; RUNS * rule.len() * panels.len()];
-                for (panel, slots) in panels.iter().zip(all.chunks_exact_mut(RUNS * rule.len())) {
-                    panel.fill(rule, &geometry.1, slots);
+                let length = (RUNS + H) * rule.len();
+                let mut all = vec![0.0; length * panels.len()];
+                for (panel, slots) in panels.iter().zip(all.chunks_exact_mut(length)) {
+                    panel.fill::<H>(rule, &geometry.1, slots);
                 }
                 all
             })
             .collect();
+        let nodes = Nodes::<H>::new(&mesh);
         let mut surface = Self {
-            hats: vec![HatIntegrals::default(); mesh.vertices.len()],
+            hats: vec![HatIntegrals::default(); nodes.points.len()],
             profile: geometry.1,
             reference_profile: reference.1,
-            mesh,
+            nodes,
             panels,
             points,
             rules,
             corner: corner_rule(CORNER.0, CORNER.1),
-            limits: order_limits(tolerance),
+            limits: order_limits(tolerance, degree::<H>()),
         };
         surface.integrate_hats();
         surface
     }
 
-    /// The mesh.
+    /// The nodes, which are the places of the densities and of the velocities to match.
     #[must_use]
-    pub fn mesh(&self) -> &Mesh {
-        &self.mesh
+    pub fn nodes(&self) -> &[Vector3<f64>] {
+        &self.nodes.points
     }
 
     /// The functional that is to vanish, so that the multiple of the normal in the density is fixed:
@@ -143,7 +145,7 @@ impl Surface {
     #[must_use]
     pub fn deflation(&self, v: usize) -> Vector3<f64> {
         // n.(f + (n φ/φ_v - n_v)(n_v.f)) = n.f + (φ/φ_v - n.n_v)(n_v.f).
-        let (hat, normal) = (&self.hats[v], self.mesh.vertices[v]);
+        let (hat, normal) = (&self.hats[v], self.nodes.points[v]);
         let along = hat.profile / self.profile.at(&normal) - hat.moment.dot(&normal);
         (hat.moment + normal * along) * (0.5 * (1.0 - normal.z)).powi(2)
     }
@@ -152,7 +154,7 @@ impl Surface {
     /// at vertex v.
     #[must_use]
     pub fn force_and_torque(&self, v: usize, f: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
-        let (hat, normal) = (&self.hats[v], self.mesh.vertices[v]);
+        let (hat, normal) = (&self.hats[v], self.nodes.points[v]);
         let along = normal.dot(f);
         let turned = hat.profile_moment / self.profile.at(&normal) - normal * hat.area;
         let force = f * hat.area + turned * along;
@@ -163,12 +165,12 @@ impl Surface {
     /// the unit normal, as vectors to multiply f with.
     #[must_use]
     pub fn tangential_part(&self, u: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Vec<Vector3<f64>> {
-        let mut sums = vec![Vector3::zeros(); self.mesh.vertices.len()];
-        for panel in &self.panels {
-            for point in &self.rules[SMOOTH] {
+        let mut sums = vec![Vector3::zeros(); self.nodes.points.len()];
+        for (panel, nodes) in self.panels.iter().zip(&self.nodes.of_triangle) {
+            for point in &self.rules[self.rules.len() - 1] {
                 let (position, area) = panel.at(point);
                 let velocity = u(&position) * area;
-                for (&v, hat) in panel.vertices.iter().zip(point.hats) {
+                for (&v, hat) in nodes.iter().zip(hats::<H>(point.hats)) {
                     sums[v] += velocity * hat;
                 }
             }
@@ -176,18 +178,18 @@ impl Surface {
         // u.(f + (n φ/φ_v - n_v)(n_v.f)) = u.f - (u.n_v)(n_v.f), since u.n = 0.
         let along = |(sum, normal): (Vector3<f64>, &Vector3<f64>)| sum - normal * normal.dot(&sum);
         sums.into_iter()
-            .zip(&self.mesh.vertices)
+            .zip(&self.nodes.points)
             .map(along)
             .collect()
     }
 
     fn integrate_hats(&mut self) {
         let rule = &self.rules[self.rules.len() - 1];
-        for panel in &self.panels {
+        for (panel, nodes) in self.panels.iter().zip(&self.nodes.of_triangle) {
             for point in rule {
                 let (position, area) = panel.at(point);
                 let profile = self.profile.at(&position);
-                for (&v, value) in panel.vertices.iter().zip(point.hats) {
+                for (&v, value) in nodes.iter().zip(hats::<H>(point.hats)) {
                     let hat = &mut self.hats[v];
                     hat.area += area * value;
                     hat.moment += position * (area * value);
@@ -198,33 +200,57 @@ impl Surface {
         }
     }
 
-    /// Adds `S_v(target)` to `row[v]` for every vertex v.
-    pub fn add_row(&self, target: &Target, row: &mut [Block]) {
-        let mut block = [0.0; RUNS * CORNER_POINTS];
+    /// Adds `S_v(target)` to `row[v]` for every node v, and to `work` what that took.
+    pub fn add_row(&self, target: &Target, row: &mut [Block], work: &mut Work) {
+        let mut block = vec![0.0; (RUNS + H) * CORNER_POINTS];
+        let mut near = Vec::new();
+        let mut touching = Vec::new();
+        let mut watch = Stopwatch::start();
         for (index, panel) in self.panels.iter().enumerate() {
-            let mut sums = [[0.0; 9]; 3];
-            let corner = target
-                .vertex
-                .and_then(|v| panel.vertices.iter().position(|&w| w == v));
-            if let Some(corner) = corner {
-                panel.fill_from_corner(&self.corner, corner, &self.profile, &mut block);
-                kernel::add::<CORNER_POINTS>(&block, &target.point, &mut sums);
-            } else if let Some(order) = order_for(
-                &self.limits,
-                panel.distance(&target.reference, &self.reference_profile),
-            ) {
-                let length = RUNS * order * order;
+            let nodes = &self.nodes.of_triangle[index];
+            let place = target.node.and_then(|v| nodes.iter().position(|&w| w == v));
+            if let Some(place) = place {
+                touching.push((index, place));
+            } else if let Some(order) = self.order(panel, target) {
+                let mut sums = [Sums::default(); H];
+                let length = (RUNS + H) * order * order;
                 let points = &self.points[order - ORDERS.start()];
                 let points = &points[index * length..(index + 1) * length];
-                kernel::add_order(order, points, &target.point, &mut sums);
+                kernel::add_points(order * order, points, &target.point, &mut sums);
+                self.add_sums(index, &sums, row);
             } else {
-                self.add_near(panel, target, 0, &mut block, &mut sums);
-            }
-            for (&v, sum) in panel.vertices.iter().zip(&sums) {
-                let normal = &self.mesh.vertices[v];
-                kernel::add_block(sum, normal, self.profile.at(normal), &mut row[v]);
+                near.push(index);
             }
         }
+        work.far
+            .add(self.panels.len() - near.len() - touching.len(), &mut watch);
+        for &index in &near {
+            let mut sums = [Sums::default(); H];
+            self.add_near(&self.panels[index], target, 0, &mut block, &mut sums);
+            self.add_sums(index, &sums, row);
+        }
+        work.near.add(near.len(), &mut watch);
+        for &(index, place) in &touching {
+            let mut sums = [Sums::default(); H];
+            for part in self.panels[index].fan(local_nodes::<H>()[place]) {
+                part.fill::<H>(&self.corner, &self.profile, &mut block);
+                kernel::add_points(CORNER_POINTS, &block, &target.point, &mut sums);
+            }
+            self.add_sums(index, &sums, row);
+        }
+        work.touching.add(touching.len(), &mut watch);
+    }
+
+    fn add_sums(&self, panel: usize, sums: &[Sums; H], row: &mut [Block]) {
+        for (&v, sum) in self.nodes.of_triangle[panel].iter().zip(sums) {
+            let normal = &self.nodes.points[v];
+            kernel::add_block(sum, normal, self.profile.at(normal), &mut row[v]);
+        }
+    }
+
+    fn order(&self, panel: &Panel, target: &Target) -> Option<usize> {
+        let distance = panel.distance(&target.reference, &self.reference_profile);
+        order_for(&self.limits, distance)
     }
 
     /// Divides a panel in four until each part is far enough from the target.
@@ -234,22 +260,27 @@ impl Surface {
         target: &Target,
         depth: usize,
         block: &mut [f64],
-        sums: &mut [Sums; 3],
+        sums: &mut [Sums; H],
     ) {
         for part in panel.quarters() {
-            let order = order_for(
-                &self.limits,
-                part.distance(&target.reference, &self.reference_profile),
-            );
-            match order {
+            match self.order(&part, target) {
                 None if depth < DEEPEST => self.add_near(&part, target, depth + 1, block, sums),
-                _ => {
+                order => {
                     let order = order.unwrap_or(*ORDERS.end());
-                    let block = &mut block[..RUNS * order * order];
-                    part.fill(&self.rules[order - ORDERS.start()], &self.profile, block);
-                    kernel::add_order(order, block, &target.point, sums);
+                    let block = &mut block[..(RUNS + H) * order * order];
+                    part.fill::<H>(&self.rules[order - ORDERS.start()], &self.profile, block);
+                    kernel::add_points(order * order, block, &target.point, sums);
                 }
             }
         }
+    }
+}
+
+/// Degree of the hat functions.
+fn degree<const H: usize>() -> usize {
+    match H {
+        1 => 0,
+        3 => 1,
+        _ => 2,
     }
 }

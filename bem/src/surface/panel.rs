@@ -6,17 +6,16 @@ use nalgebra::Vector3;
 
 use super::Profile;
 use super::kernel::RUNS;
+use crate::mesh::hats;
 use crate::quadrature::Point;
 
 /// Part of a spherical triangle: a triangle in the flat one that it is the projection of.
 #[derive(Clone, Copy, Debug)]
 pub struct Panel {
-    /// Vertex indices of the whole panel, whose hat functions are integrated.
-    pub vertices: [usize; 3],
+    /// Barycentric coordinates, in the whole panel, of the corners of the part.
+    coordinates: Corners,
     /// Corners of the part in the flat panel.
     flat: [Vector3<f64>; 3],
-    /// Values of the three hat functions at the corners of the part.
-    hats: [[f64; 3]; 3],
     /// The same corners in the reference geometry.
     reference: [Vector3<f64>; 3],
     /// Middle and squared radius in the reference geometry.
@@ -26,27 +25,14 @@ pub struct Panel {
     volume: f64,
 }
 
+/// Barycentric coordinates of three points.
+type Corners = [[f64; 3]; 3];
+
+const WHOLE: Corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
 impl Panel {
     /// The whole panel with the given corners, here and in the reference geometry.
-    pub fn new(
-        vertices: [usize; 3],
-        flat: [Vector3<f64>; 3],
-        reference: [Vector3<f64>; 3],
-    ) -> Self {
-        Self::part(
-            vertices,
-            flat,
-            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-            reference,
-        )
-    }
-
-    fn part(
-        vertices: [usize; 3],
-        flat: [Vector3<f64>; 3],
-        hats: [[f64; 3]; 3],
-        reference: [Vector3<f64>; 3],
-    ) -> Self {
+    pub fn new(flat: [Vector3<f64>; 3], reference: [Vector3<f64>; 3]) -> Self {
         let middle = (reference[0] + reference[1] + reference[2]).normalize();
         let radius_squared = reference
             .iter()
@@ -54,13 +40,25 @@ impl Panel {
             .fold(0.0, f64::max);
         let [a, b, c] = flat;
         Self {
-            vertices,
+            coordinates: WHOLE,
             flat,
-            hats,
             reference,
             middle,
             radius_squared,
             volume: a.dot(&b.cross(&c)),
+        }
+    }
+
+    /// The part whose corners have the barycentric coordinates `corners` in this one.
+    fn part(&self, corners: Corners) -> Self {
+        let place = |of: &[Vector3<f64>; 3], [a, b, c]: [f64; 3]| of[0] * a + of[1] * b + of[2] * c;
+        let coordinates = corners.map(|corner| interpolated(corner, &self.coordinates));
+        Self {
+            coordinates,
+            ..Self::new(
+                corners.map(|corner| place(&self.flat, corner)),
+                corners.map(|corner| place(&self.reference, corner)),
+            )
         }
     }
 
@@ -82,16 +80,20 @@ impl Panel {
             [(0, 1), (1, 2), (2, 0)],
         ];
         PARTS.map(|pairs| {
-            let middle = |of: &[Vector3<f64>; 3]| pairs.map(|(i, j)| 0.5 * (of[i] + of[j]));
-            let hats = pairs
-                .map(|(i, j)| [0, 1, 2].map(|k| f64::midpoint(self.hats[i][k], self.hats[j][k])));
-            Self::part(
-                self.vertices,
-                middle(&self.flat),
-                hats,
-                middle(&self.reference),
-            )
+            self.part(pairs.map(|(i, j)| {
+                let mut corner = [0.0; 3];
+                corner[i] += 0.5;
+                corner[j] += 0.5;
+                corner
+            }))
         })
+    }
+
+    /// The parts that meet at the point `apex`, which is the first corner of each.
+    pub fn fan(&self, apex: [f64; 3]) -> impl Iterator<Item = Self> {
+        (0..3)
+            .filter(move |&i| apex[i] > 0.0)
+            .map(move |i| self.part([apex, WHOLE[(i + 1) % 3], WHOLE[(i + 2) % 3]]))
     }
 
     /// Position on the sphere and area of a quadrature point.
@@ -105,37 +107,26 @@ impl Panel {
         )
     }
 
-    /// Writes the points of a rule as runs: x, y, z, area/(8 pi) times each hat function, and the profile.
-    pub fn fill(&self, rule: &[Point], profile: &Profile, out: &mut [f64]) {
+    /// Writes the points of a rule as runs: x, y, z, the profile, and area/(8 pi) times each hat function.
+    pub fn fill<const H: usize>(&self, rule: &[Point], profile: &Profile, out: &mut [f64]) {
         let n = rule.len();
         for (q, point) in rule.iter().enumerate() {
             let (position, area) = self.at(point);
             let weight = area / (8.0 * PI);
             for k in 0..3 {
-                let hat: f64 = (0..3)
-                    .map(|corner| point.hats[corner] * self.hats[corner][k])
-                    .sum();
                 out[k * n + q] = position[k];
-                out[(3 + k) * n + q] = weight * hat;
             }
-            out[(RUNS - 1) * n + q] = profile.at(&position);
+            out[3 * n + q] = profile.at(&position);
+            let hats = hats::<H>(interpolated(point.hats, &self.coordinates));
+            for (k, hat) in hats.into_iter().enumerate() {
+                out[(RUNS + k) * n + q] = weight * hat;
+            }
         }
     }
+}
 
-    /// The same for a rule whose first corner is to be the corner `corner` of a whole panel.
-    pub fn fill_from_corner(
-        &self,
-        rule: &[Point],
-        corner: usize,
-        profile: &Profile,
-        out: &mut [f64],
-    ) {
-        let turn = [corner, (corner + 1) % 3, (corner + 2) % 3];
-        let turned = Self {
-            flat: turn.map(|i| self.flat[i]),
-            hats: turn.map(|i| self.hats[i]),
-            ..*self
-        };
-        turned.fill(rule, profile, out);
-    }
+/// Coordinates of the point `at` of the triangle with these corners.
+#[inline]
+fn interpolated(at: [f64; 3], corners: &Corners) -> [f64; 3] {
+    [0, 1, 2].map(|k| (0..3).map(|corner| at[corner] * corners[corner][k]).sum())
 }
