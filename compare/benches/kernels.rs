@@ -169,11 +169,11 @@ fn stepper(bencher: Bencher<'_, '_>) {
 /// Boundary elements, by refinement level.
 mod boundary_elements {
     use bem::Bem;
-    use bem::surface::{Block, Profile, Surface, Target};
+    use bem::surface::{Block, Profile, Surface, Target, Work};
 
     use super::*;
 
-    /// Panel quadrature: the velocities at one vertex by all hat functions of its own sphere.
+    /// Panel quadrature: the velocities at one node by all hat functions of its own sphere.
     #[divan::bench(args = [1, 2, 3])]
     fn panel_quadrature(bencher: Bencher<'_, '_>, level: usize) {
         let model = Bem::new(level).unwrap();
@@ -181,16 +181,16 @@ mod boundary_elements {
         let family = model.family(gap);
         let profile = || Profile::beside_mirror_image(gap.eps());
         let mesh = family.at(gap.eps());
-        let surface = Surface::new((mesh.clone(), profile()), (&mesh, profile()));
+        let surface: Surface = Surface::new((mesh.clone(), profile()), (&mesh, profile()));
         let target = Target {
             point: mesh.vertices[0],
             reference: mesh.vertices[0],
-            vertex: Some(0),
+            node: Some(0),
         };
         let mut row = vec![Block::default(); mesh.vertices.len()];
         bencher
             .counter(mesh.vertices.len())
-            .bench_local(|| surface.add_row(black_box(&target), &mut row));
+            .bench_local(|| surface.add_row(black_box(&target), &mut row, &mut Work::default()));
     }
 
     /// Assembly and factorisation of all symmetry classes.

@@ -18,7 +18,7 @@ use crate::{Approach, Case, CompareError, Method};
 const GAP: f64 = 0.1;
 
 /// Unknowns on both spheres together before symmetry is used: three a vertex.
-const UNKNOWNS_A_VERTEX: usize = 6;
+const UNKNOWNS_A_NODE: usize = 6;
 
 /// Offsets of the paths in a sweep, in radii: all collide.
 const OFFSETS: (f64, f64) = (0.5, 3.0);
@@ -38,7 +38,7 @@ pub(super) fn boundary_elements(
             let solution = model.solve(gap, MODES)?;
             assembly = assembly.min(solution.seconds.assembly);
             solve = solve.min(solution.seconds.solve);
-            unknowns = UNKNOWNS_A_VERTEX * solution.vertices;
+            unknowns = UNKNOWNS_A_NODE * solution.nodes;
             solves = solution.solves;
         }
         for (what, seconds) in [("bem-assembly", assembly), ("bem-factorisation", solve)] {
