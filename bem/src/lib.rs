@@ -8,8 +8,8 @@
 //!
 //! after Pozrikidis, *Boundary Integral and Singularity Methods* (1992), chapters 4 and 5. `f` is the
 //! density of force on the fluid, so that the fluid's force on a sphere is `-∫ f dS` and its torque
-//! about the centre `-∫ (y - centre) x f dS`. The density is linear over each panel, the panels are
-//! exact spherical triangles, and the velocity is matched at the vertices.
+//! about the centre `-∫ (y - centre) x f dS`. The density is quadratic over each panel, the panels
+//! are exact spherical triangles, and the velocity is matched at the nodes.
 //!
 //! | module | what |
 //! |---|---|

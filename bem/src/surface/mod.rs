@@ -1,6 +1,6 @@
-//! One meshed unit sphere: the velocity that its linear densities induce at a point.
+//! One meshed unit sphere: the velocity that its densities induce at a point.
 //!
-//! For the hat function of vertex v (1 there, 0 at the others, linear over each panel) and a target x,
+//! For the hat function of node v (1 there, 0 at the others, see [`crate::mesh::hats`]) and a target x,
 //!
 //! ```text
 //! S_v(x) = 1/(8 pi) ∫ (I/r + r r/r³) T_v(y) hat_v(y) dS(y),   r = x - y,
