@@ -27,6 +27,12 @@ impl OutputFolder {
         Ok(Self(path.to_owned()))
     }
 
+    /// Text of the file `name`, if an earlier command left it here.
+    #[must_use]
+    pub fn read(&self, name: &str) -> Option<String> {
+        std::fs::read_to_string(self.0.join(name)).ok()
+    }
+
     /// Writes `text` to the file `name`.
     ///
     /// # Errors

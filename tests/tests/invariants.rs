@@ -217,6 +217,10 @@ fn a_facing_pair_keeps_its_axis_to_the_last_bit() {
 fn a_settled_pair_ends_where_integration_to_the_end_takes_it() {
     // Stood upright, the same scene is integrated all the way in three dimensions. Pullers creep up
     // to the cut for ever, which is where a fixed point is known least well.
+    let options = RunOptions {
+        tolerance: 1e-10,
+        ..RunOptions::default()
+    };
     for (beta, delta, sigma) in [(5.0, 0.5, 1.3), (-5.0, 1.0, 0.7), (-5.0, 1.0, 1.25)] {
         let squirmers = [Squirmer::with_beta(1.0, beta).unwrap(); 2];
         let angles = [sigma - delta, sigma + delta].map(|angle| FRAC_PI_2 * angle);
@@ -228,12 +232,12 @@ fn a_settled_pair_ends_where_integration_to_the_end_takes_it() {
             .map(|(x, angle)| vector_pose([x, 0.0, 0.0], [angle.cos(), 0.0, angle.sin()]));
         let run_from = |start| {
             let scene = Scene::new(squirmers, start, Some(Repulsion::PAPER), None).unwrap();
-            lubricated(&scene, &tight())
+            lubricated(&scene, &options)
         };
         let (settled, integrated) = (run_from(flat), run_from(upright));
         let upright_of = |v: Vector3<f64>| Vector3::new(v.x, 0.0, v.y);
         assert!(
-            settled.settled.is_some_and(|t| t < 150.0),
+            settled.settled.is_some_and(|t| t < 190.0),
             "{:?}",
             settled.settled
         );

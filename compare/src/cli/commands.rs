@@ -154,9 +154,9 @@ fn loads(
 /// Refuses a gap that the method cannot answer for before anything is computed.
 fn check_range(method: Method, options: &ModelOptions, gaps: &[Gap]) -> Result<(), CompareError> {
     if method == Method::Bem {
-        let range = bem::Bem::new(options.mesh)?.range();
+        let bem = bem::Bem::new(options.mesh)?;
         for &gap in gaps {
-            range.check(gap)?;
+            bem.check(gap)?;
         }
     }
     Ok(())

@@ -1,5 +1,6 @@
 //! Every comparison with the paper's cases, written as files and as one page.
 
+mod cost;
 mod errors;
 mod words;
 
@@ -44,12 +45,13 @@ pub(crate) fn write(
         let section = errors::section(&models, exact, planar, sweep, out)?;
         content.sections.push(section);
     }
+    content.sections.push(cost::section(out)?);
     let page = Page {
         title: "Two squirmers collide: lubrication theory against full hydrodynamics".to_owned(),
         lead: words::lead(),
         sections: content.sections,
         costs: (models.iter())
-            .map(|model| cost(model, &content.encounters))
+            .map(|model| method_cost(model, &content.encounters))
             .collect(),
         notes: content.notes,
         provenance: provenance::of(typed, started.elapsed().as_secs_f64()),
@@ -152,7 +154,7 @@ fn written(pictures: Vec<Picture>, out: &OutputFolder) -> Result<Vec<Figure>, Co
         .collect()
 }
 
-fn cost(model: &Model, encounters: &[Encounter]) -> MethodCost {
+fn method_cost(model: &Model, encounters: &[Encounter]) -> MethodCost {
     let seconds: Vec<_> = (encounters.iter())
         .filter(|encounter| encounter.method == model.method() && encounter.run.is_ok())
         .map(|encounter| encounter.seconds)

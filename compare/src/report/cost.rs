@@ -58,6 +58,11 @@ impl MethodCost {
             }));
             row
         });
-        Table::from_cells("Cost and errors of each method", "cost.csv", headers, rows)
+        Table::from_cells(
+            "Cost and errors of each method",
+            "methods.csv",
+            headers,
+            rows,
+        )
     }
 }

@@ -365,7 +365,7 @@ where
         let beyond = |ln_gap: f64| parting.is_some_and(|parting| ln_gap >= parting.ln());
         let mut ended = beyond(y[C::LN_GAP]) && stepper.dy()[C::LN_GAP] >= 0.0;
         let mut end = PhaseEnd::Parted;
-        let mut attempts = Attempts::default();
+        let mut attempts = Attempts::new(tolerance);
         while !ended {
             let step = stepper.step(&mut self.motion, end_time);
             let step = step.map_err(|error| self.failure(error))?;

@@ -15,12 +15,13 @@ use nalgebra::{Matrix3, Matrix4x3, Vector3};
 
 use crate::ode::System;
 
-/// Rate of change of gap and orientations below which a fixed point is sought.
-const NEARLY_STEADY: f64 = 1e-5;
+/// Rate of change of gap and orientations below which a fixed point is sought, at most and over the
+/// tolerance of the trajectory: what is then left to first order is counted, to second order not.
+const NEARLY_STEADY: (f64, f64) = (1e-5, 1e3);
 
 /// The same where an eigenvalue is zero: along its direction Newton's method finds the fixed point
 /// only to about this precision.
-const NEARLY_STEADY_IF_MARGINAL: f64 = 1e-6;
+const NEARLY_STEADY_IF_MARGINAL: (f64, f64) = (1e-6, 1e2);
 
 /// Rate of change at a fixed point, as good as rounding allows.
 const STEADY: f64 = 1e-11;
@@ -40,16 +41,22 @@ const DECAY: f64 = 1e-3;
 
 const MAX_NEWTON_STEPS: usize = 8;
 
-/// Rates of change above which attempts are not worth repeating.
+/// When to look for a fixed point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Attempts {
+    /// Rate of change above which an attempt is not worth making, or repeating.
     below: f64,
+    /// Rate of change below which a marginal fixed point is taken.
+    marginal: f64,
 }
 
-impl Default for Attempts {
-    fn default() -> Self {
+impl Attempts {
+    /// For a trajectory integrated to `tolerance`.
+    pub(crate) fn new(tolerance: f64) -> Self {
+        let limit = |(most, times): (f64, f64)| (times * tolerance).min(most);
         Self {
-            below: NEARLY_STEADY,
+            below: limit(NEARLY_STEADY),
+            marginal: limit(NEARLY_STEADY_IF_MARGINAL),
         }
     }
 }
@@ -82,7 +89,7 @@ pub(crate) fn steady_state<S: System<N>, const N: usize>(
         return None;
     }
     attempts.below = 0.1 * rate(dy);
-    let marginal = rate(dy) < NEARLY_STEADY_IF_MARGINAL;
+    let marginal = rate(dy) < attempts.marginal;
     let start = *y;
     let (mut y, mut dy) = (*y, *dy);
     for _ in 0..MAX_NEWTON_STEPS {
@@ -164,7 +171,7 @@ mod tests {
             variables: [0, 1, 2],
             turning: 3,
         };
-        let mut attempts = Attempts::default();
+        let mut attempts = Attempts::new(1e-8);
         let (y, _) = steady_state(&mut system, 0.0, (&y, &dy), relative, &mut attempts)?;
         Some(y)
     }
