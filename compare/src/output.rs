@@ -27,6 +27,11 @@ impl OutputFolder {
         Ok(Self(path.to_owned()))
     }
 
+    /// Where it is.
+    pub(crate) fn path(&self) -> &Path {
+        &self.0
+    }
+
     /// Writes `text` to the file `name`.
     ///
     /// # Errors

@@ -2,6 +2,7 @@
 
 mod args;
 pub(crate) mod commands;
+pub(crate) mod maps;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

@@ -4,12 +4,16 @@
 
 mod canvas;
 mod deflection;
+mod fates;
+mod heat;
 mod load_errors;
+mod map;
 mod offset;
 mod style;
 #[cfg(test)]
 mod tests;
 mod trajectories;
+mod trust;
 
 use std::fmt::Display;
 
@@ -18,9 +22,12 @@ use thiserror::Error;
 use crate::{Approach, Method};
 
 pub use deflection::deflection;
+pub use fates::fates;
 pub use load_errors::load_errors;
+pub use map::scatter;
 pub use offset::offset;
 pub use trajectories::{TICK_INTERVAL, trajectories};
+pub use trust::trust;
 
 /// Why there is no picture.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]

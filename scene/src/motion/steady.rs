@@ -28,6 +28,9 @@ const STEADY: f64 = 1e-11;
 /// How far from the pair's state the fixed point may lie.
 const NEARBY: f64 = 1e-3;
 
+/// The same for a pair that is only held up by it.
+const HELD_UP_NEARBY: f64 = 0.3;
+
 /// Step of the central differences of the Jacobian, whose error goes as its square.
 const DIFFERENCE: f64 = 1e-5;
 
@@ -80,12 +83,37 @@ pub(crate) fn steady_state<S: System<N>, const N: usize>(
     } else {
         -DECAY
     };
+    let (y, dy, jacobian) = fixed_point(system, t, (y, dy), relative, NEARBY)?;
+    holds(&jacobian, growth).then_some((y, dy))
+}
+
+/// Whether the state `y` is held up by a fixed point near it from which something grows: such a
+/// pair is trapped for long, but not for ever.
+pub(crate) fn is_held_up<S: System<N>, const N: usize>(
+    system: &mut S,
+    t: f64,
+    (y, dy): (&[f64; N], &[f64; N]),
+    relative: [usize; 3],
+) -> bool {
+    fixed_point(system, t, (y, dy), relative, HELD_UP_NEARBY)
+        .is_some_and(|(_, _, jacobian)| !holds(&jacobian, GROWTH))
+}
+
+/// The fixed point within `nearby` of the state `y`, by Newton's method, with its derivative and its
+/// Jacobian.
+fn fixed_point<S: System<N>, const N: usize>(
+    system: &mut S,
+    t: f64,
+    (y, dy): (&[f64; N], &[f64; N]),
+    relative: [usize; 3],
+    nearby: f64,
+) -> Option<([f64; N], [f64; N], Matrix3<f64>)> {
     let start = *y;
     let (mut y, mut dy) = (*y, *dy);
     for _ in 0..MAX_NEWTON_STEPS {
         let jacobian = jacobian(system, t, &y, relative);
-        if rate(&dy) < STEADY {
-            return holds(&jacobian, growth).then_some((y, dy));
+        if (relative.iter()).all(|&i| dy[i].abs() < STEADY) {
+            return Some((y, dy, jacobian));
         }
         let step = jacobian
             .lu()
@@ -94,7 +122,7 @@ pub(crate) fn steady_state<S: System<N>, const N: usize>(
             y[i] -= step[k];
         }
         let moved = relative.map(|i| (y[i] - start[i]).abs());
-        if moved.into_iter().any(|m| m.is_nan() || m > NEARBY) {
+        if moved.into_iter().any(|m| m.is_nan() || m > nearby) {
             return None;
         }
         dy = system.rhs(t, &y);
