@@ -10,6 +10,7 @@ mod error;
 pub mod figures;
 mod full_report;
 mod load_errors;
+pub mod maps;
 mod method;
 mod model;
 mod numbers;

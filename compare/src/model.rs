@@ -21,6 +21,10 @@ pub const BEM_TABLE_TOLERANCE: f64 = 1e-6;
 /// Interpolation error of the exact tables, relative to the larger of the load and 1.
 pub const EXACT_TABLE_TOLERANCE: f64 = 1e-9;
 
+/// Smallest gap of the exact tables: closer, rounding of `1/(4 eps)` would show in what a table
+/// interpolates, and the exact loads have a limiting form of their own.
+const EXACT_TABLE_FROM: f64 = 1e-7;
+
 /// Squirming modes in the tables: all that `beta` calls for.
 const TABLE_MODES: usize = 2;
 
@@ -74,8 +78,7 @@ impl Model {
             Method::LtCorrected => Kind::Lubrication(Lubrication::new(Form::Corrected)),
             Method::Exact if options.direct => Kind::ExactDirect(Box::new(Exact::new())),
             Method::Exact => {
-                // Closer to contact the exact loads have a closed form.
-                let spec = (exact::SERIES_FROM, EXACT_TABLE_TOLERANCE);
+                let spec = (EXACT_TABLE_FROM, EXACT_TABLE_TOLERANCE);
                 let table = tabulate(Exact::new(), method, spec, options)?;
                 Kind::ExactTable(Box::new(table))
             }

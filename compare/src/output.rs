@@ -33,6 +33,11 @@ impl OutputFolder {
         std::fs::read_to_string(self.0.join(name)).ok()
     }
 
+    /// Where it is.
+    pub(crate) fn path(&self) -> &Path {
+        &self.0
+    }
+
     /// Writes `text` to the file `name`.
     ///
     /// # Errors

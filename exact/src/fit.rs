@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 use rayon::prelude::*;
-use scene::{Gap, PairLoads};
+use scene::{Gap, MAX_MODES, PairLoads};
 
 use crate::ExactError;
 use crate::series::Solved;
@@ -54,17 +54,15 @@ impl Fit {
 
     /// The combination of the values of the functions, for the first `modes` modes.
     pub fn combine(&self, functions: &[f64], modes: usize) -> PairLoads {
-        let columns: Vec<f64> = self
-            .factors
-            .column_iter()
-            .map(|factors| {
-                functions
-                    .iter()
-                    .zip(factors.iter())
-                    .map(|(f, c)| f * c)
-                    .sum()
-            })
-            .collect();
+        // On the stack: a trajectory's step may ask for this.
+        let mut columns = [0.0; PairLoads::column_count(MAX_MODES)];
+        for (column, factors) in columns.iter_mut().zip(self.factors.column_iter()) {
+            *column = functions
+                .iter()
+                .zip(factors.iter())
+                .map(|(f, c)| f * c)
+                .sum();
+        }
         PairLoads::from_columns(modes, &columns)
     }
 
@@ -125,6 +123,9 @@ pub fn relative_distance(a: &PairLoads, b: &PairLoads) -> f64 {
 
 /// `a + b`, load by load.
 pub fn sum(a: &PairLoads, b: &PairLoads, modes: usize) -> PairLoads {
-    let columns: Vec<f64> = a.columns().zip(b.columns()).map(|(a, b)| a + b).collect();
+    let mut columns = [0.0; PairLoads::column_count(MAX_MODES)];
+    for (column, (a, b)) in columns.iter_mut().zip(a.columns().zip(b.columns())) {
+        *column = a + b;
+    }
     PairLoads::from_columns(modes, &columns)
 }

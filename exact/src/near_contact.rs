@@ -41,7 +41,7 @@ impl NearContact {
 
     /// The loads at `gap`, of up to [`MAX_MODES`] modes.
     pub fn loads(&self, gap: Gap, modes: usize) -> PairLoads {
-        let regular = self.fit.combine(&regular_functions(gap), modes);
+        let regular = self.fit.combine(&powers(gap), modes);
         sum(&diverging(gap, modes), &regular, modes)
     }
 
@@ -72,15 +72,20 @@ fn diverging(gap: Gap, modes: usize) -> PairLoads {
     singular::loads(gap, modes, singular::AXIAL_SQUIRMING)
 }
 
-fn regular_functions(gap: Gap) -> Vec<f64> {
+/// `1, eps L, eps, eps^2 L, eps^2, ...`.
+fn powers(gap: Gap) -> [f64; 1 + 2 * POWERS] {
     let (eps, log) = (gap.eps(), gap.log_inverse());
-    let mut functions = vec![1.0];
+    let mut functions = [1.0; 1 + 2 * POWERS];
     let mut power = 1.0;
-    for _ in 0..POWERS {
+    for pair in functions[1..].chunks_exact_mut(2) {
         power *= eps;
-        functions.extend([power * log, power]);
+        pair.copy_from_slice(&[power * log, power]);
     }
     functions
+}
+
+fn regular_functions(gap: Gap) -> Vec<f64> {
+    powers(gap).into()
 }
 
 fn singular_functions(gap: Gap) -> Vec<f64> {

@@ -180,7 +180,7 @@ impl PairLoads {
 
     /// Number of `f64` in [`Self::columns`] for `modes` squirming modes.
     #[must_use]
-    pub fn column_count(modes: usize) -> usize {
+    pub const fn column_count(modes: usize) -> usize {
         column_count(modes)
     }
 

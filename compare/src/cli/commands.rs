@@ -7,6 +7,7 @@ use scene::{Gap, Hydrodynamics, RunOptions};
 use serde::Serialize;
 
 use super::args::{Arguments, Command, EncounterArguments, ModelArguments, RunArguments};
+use super::maps;
 use crate::numbers::Numbers;
 use crate::output::{OutputFolder, csv_text};
 use crate::sweep::SweepOptions;
@@ -26,9 +27,12 @@ pub(super) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), Compare
         Command::Orthogonal(encounters) => encounter(Approach::Orthogonal, encounters, arguments),
         Command::Offset { dz, models, runs } => offset(dz.as_ref(), models, runs, arguments),
         Command::Cost(cost) => super::cost::run(cost, arguments, typed),
+        Command::Scatter(map) => maps::scatter(map, arguments),
+        Command::Fates(map) => maps::fates(map, arguments),
+        Command::Trust(map) => maps::trust(map, arguments),
         Command::Report { models, runs } => {
-            let (methods, options) = model_options(models, arguments)?;
-            let sweep = sweep_options(runs)?;
+            let (methods, options) = model_options(models, &Method::DEFAULT, arguments)?;
+            let sweep = sweep_options(runs.tol, runs.time_limit)?;
             let out = OutputFolder::open(&arguments.out)?;
             let path = full_report::write(&methods, &options, &sweep, &out, typed)?;
             println!("{}", path.display());
@@ -37,12 +41,13 @@ pub(super) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), Compare
     }
 }
 
-/// Checks the methods and what they need.
-fn model_options(
+/// Checks the methods, `default` if none are named, and what they need.
+pub(super) fn model_options(
     arguments: &ModelArguments,
+    default: &[Method],
     general: &Arguments,
 ) -> Result<(Vec<Method>, ModelOptions), CompareError> {
-    let methods = (arguments.method.as_ref()).map_or(Method::DEFAULT.to_vec(), |m| m.0.clone());
+    let methods = (arguments.method.as_ref()).map_or(default.to_vec(), |m| m.0.clone());
     let mut options = ModelOptions {
         direct: arguments.direct,
         ..ModelOptions::default()
@@ -58,14 +63,19 @@ fn model_options(
     Ok((methods, options))
 }
 
-fn set_up(methods: &[Method], options: &ModelOptions) -> Result<Vec<Model>, CompareError> {
+pub(super) fn set_up(
+    methods: &[Method],
+    options: &ModelOptions,
+) -> Result<Vec<Model>, CompareError> {
     (methods.iter())
         .map(|&method| Model::set_up(method, options))
         .collect()
 }
 
-fn sweep_options(arguments: &RunArguments) -> Result<SweepOptions, CompareError> {
-    let tolerance = arguments.tol;
+pub(super) fn sweep_options(
+    tolerance: f64,
+    time_limit: Option<f64>,
+) -> Result<SweepOptions, CompareError> {
     if !(1e-14..=1e-2).contains(&tolerance) {
         let allowed = "give a number from 1e-14 to 1e-2";
         return Err(CompareError::input(
@@ -74,7 +84,7 @@ fn sweep_options(arguments: &RunArguments) -> Result<SweepOptions, CompareError>
             allowed,
         ));
     }
-    let time_limit = match arguments.time_limit {
+    let time_limit = match time_limit {
         None => None,
         Some(seconds) => Some(Duration::try_from_secs_f64(seconds).map_err(|_| {
             CompareError::input(
@@ -109,7 +119,7 @@ fn loads(
     arguments: &ModelArguments,
     general: &Arguments,
 ) -> Result<(), CompareError> {
-    let (methods, options) = model_options(arguments, general)?;
+    let (methods, options) = model_options(arguments, &Method::DEFAULT, general)?;
     let gaps: Vec<_> = (gaps.0.iter())
         .map(|&eps| {
             Gap::new(eps).map_err(|_| {
@@ -167,8 +177,8 @@ fn encounter(
     arguments: &EncounterArguments,
     general: &Arguments,
 ) -> Result<(), CompareError> {
-    let (methods, options) = model_options(&arguments.models, general)?;
-    let sweep = sweep_options(&arguments.runs)?;
+    let (methods, options) = model_options(&arguments.models, &Method::DEFAULT, general)?;
+    let sweep = sweep_options(arguments.runs.tol, arguments.runs.time_limit)?;
     let defaults = Defaults::paper()?;
     let defaults = defaults.encounters(approach);
     let list = |given: &Option<Numbers>, default: &[f64]| {
@@ -241,8 +251,8 @@ fn offset(
     runs: &RunArguments,
     general: &Arguments,
 ) -> Result<(), CompareError> {
-    let (methods, options) = model_options(models, general)?;
-    let sweep = sweep_options(runs)?;
+    let (methods, options) = model_options(models, &Method::DEFAULT, general)?;
+    let sweep = sweep_options(runs.tol, runs.time_limit)?;
     let defaults = Defaults::paper()?.offset;
     let dz = dz.map_or(defaults.dz.clone(), |dz| dz.0.clone());
     let out = OutputFolder::open(&general.out)?;

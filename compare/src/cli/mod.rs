@@ -3,6 +3,7 @@
 mod args;
 pub(crate) mod commands;
 mod cost;
+pub(crate) mod maps;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

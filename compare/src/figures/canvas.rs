@@ -3,8 +3,11 @@
 //! Plotters rounds coordinates to whole pixels. Pictures are therefore drawn at [`FINENESS`] times
 //! their nominal size, and the SVG's header scales them back. Lengths here are nominal pixels.
 
+use std::cell::RefCell;
 use std::ops::Range;
 
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
 use plotters::coord::Shift;
 use plotters::element::{DashedPathElement, Drawable, PointCollection};
 use plotters::prelude::*;
@@ -65,6 +68,8 @@ enum Anchor {
 /// A picture in the making.
 pub(super) struct Canvas<'a> {
     area: Area<'a>,
+    /// Pixel pictures, which plotters cannot embed: they are added to the finished SVG.
+    images: RefCell<String>,
 }
 
 /// Draws a picture of the nominal size `(width, height)` under a `title`, which also names it to
@@ -75,15 +80,21 @@ pub(super) fn picture(
     paint: impl FnOnce(&Canvas<'_>) -> Result<(), FigureError>,
 ) -> Result<String, FigureError> {
     let mut svg = String::new();
+    let images;
     let size = (fine_size(width), fine_size(height));
     {
         let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
         area.fill(&WHITE).map_err(FigureError::drawing)?;
-        let canvas = Canvas { area };
+        let canvas = Canvas {
+            area,
+            images: RefCell::default(),
+        };
         canvas.text(title, (width / 2.0, TITLE / 2.0), 18.0, Anchor::Middle)?;
         paint(&canvas)?;
         canvas.area.present().map_err(FigureError::drawing)?;
+        images = canvas.images.take();
     }
+    let svg = svg.replacen("</svg>", &format!("{images}</svg>"), 1);
     let drawn = format!("width=\"{}\" height=\"{}\"", size.0, size.1);
     let nominal =
         format!("role=\"img\" aria-label=\"{title}\" width=\"{width:.0}\" height=\"{height:.0}\"");
@@ -127,6 +138,7 @@ pub(super) enum Key {
     MarkedLine(Stroke, Shape),
     Dot,
     Sphere,
+    Patch(RGBColor),
 }
 
 /// One entry of a legend.
@@ -159,6 +171,26 @@ fn legend_rows(groups: &[Vec<Entry>], width: f64) -> Vec<(f64, Vec<&Entry>)> {
 /// Height of a legend within `width`.
 pub(super) fn legend_height(groups: &[Vec<Entry>], width: f64) -> f64 {
     ENTRY_HEIGHT * legend_rows(groups, width).len() as f64 + 10.0
+}
+
+/// A square grid of colours as a PNG, its lines from the bottom upward.
+fn png(colours: &[RGBColor]) -> Result<Vec<u8>, FigureError> {
+    let side = colours.len().isqrt();
+    if side == 0 || side * side != colours.len() {
+        let what = "the map is not a square grid";
+        return Err(FigureError::Empty { what });
+    }
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, side as u32, side as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    let mut writer = encoder.write_header().map_err(FigureError::drawing)?;
+    let lines = colours.chunks(side).rev().flatten();
+    let data: Vec<u8> = lines.flat_map(|c| [c.0, c.1, c.2]).collect();
+    writer
+        .write_image_data(&data)
+        .map_err(FigureError::drawing)?;
+    writer.finish().map_err(FigureError::drawing)?;
+    Ok(bytes)
 }
 
 impl<'a> Canvas<'a> {
@@ -250,6 +282,44 @@ impl<'a> Canvas<'a> {
         self.draw(&Circle::new(at, fine(radius), colour.stroke_width(4)))
     }
 
+    /// A filled rectangle with its upper left corner at `(x, y)`.
+    pub(super) fn rectangle(
+        &self,
+        (x, y): (f64, f64),
+        (width, height): (f64, f64),
+        colour: RGBColor,
+    ) -> Result<(), FigureError> {
+        let corners = [(fine(x), fine(y)), (fine(x + width), fine(y + height))];
+        self.draw(&Rectangle::new(corners, colour.filled()))
+    }
+
+    /// A text that begins at a point.
+    pub(super) fn label(&self, text: &str, at: (f64, f64)) -> Result<(), FigureError> {
+        self.text(text, at, TEXT, Anchor::Left)
+    }
+
+    /// A text that reads upward, centred at a point.
+    pub(super) fn upright_label(&self, text: &str, at: (f64, f64)) -> Result<(), FigureError> {
+        self.text(text, at, TEXT, Anchor::Upright)
+    }
+
+    /// A square grid of colours, one pixel a point, its lines from the bottom upward.
+    pub(super) fn image(
+        &self,
+        (x, y): (f64, f64),
+        (width, height): (f64, f64),
+        colours: &[RGBColor],
+    ) -> Result<(), FigureError> {
+        let data = BASE64_STANDARD.encode(png(colours)?);
+        let [x, y, width, height] = [x, y, width, height].map(fine);
+        *self.images.borrow_mut() += &format!(
+            "<image x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" \
+             style=\"image-rendering:pixelated\" preserveAspectRatio=\"none\" \
+             href=\"data:image/png;base64,{data}\"/>\n"
+        );
+        Ok(())
+    }
+
     /// A legend centred below `top`.
     pub(super) fn legend(
         &self,
@@ -281,6 +351,13 @@ impl<'a> Canvas<'a> {
             }
             Key::Dot => self.dot(middle, INK),
             Key::Sphere => self.sphere(middle, 9.0, INK),
+            Key::Patch(colour) => {
+                let (corner, size) = ((x + 10.0, y - 7.0), (22.0, 14.0));
+                self.rectangle(corner, size, colour)?;
+                let far = (corner.0 + size.0, corner.1 + size.1);
+                let at = |(x, y)| (fine(x), fine(y));
+                self.draw(&Rectangle::new([at(corner), at(far)], INK.stroke_width(2)))
+            }
         }
     }
 

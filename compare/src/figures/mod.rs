@@ -4,12 +4,16 @@
 
 mod canvas;
 mod deflection;
+mod fates;
+mod heat;
 mod load_errors;
+mod map;
 mod offset;
 mod style;
 #[cfg(test)]
 mod tests;
 mod trajectories;
+mod trust;
 mod work_precision;
 
 use std::fmt::Display;
@@ -19,9 +23,12 @@ use thiserror::Error;
 use crate::{Approach, Method};
 
 pub use deflection::deflection;
+pub use fates::fates;
 pub use load_errors::load_errors;
+pub use map::scatter;
 pub use offset::offset;
 pub use trajectories::{TICK_INTERVAL, trajectories};
+pub use trust::trust;
 pub use work_precision::{deflections_work_precision, loads_work_precision};
 
 /// Why there is no picture.

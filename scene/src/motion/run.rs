@@ -8,8 +8,9 @@
 use super::coordinates::{Configuration, Coordinates, Planar, Spatial};
 use super::equations::{Absent, Effect, PairMotion, Present};
 use super::free_flight::PairFlight;
-use super::outcome::{Outcome, judge_bound, judge_steady};
-use super::steady::{Attempts, steady_state};
+use super::outcome::{GapHistory, Outcome, judge_bound, judge_steady};
+use super::outcome::{judge_under_gravity, points_upward};
+use super::steady::{Attempts, is_held_up, steady_state};
 use crate::ode::{Dense, Direction, OdeError, Step, Stepper, first_crossing, first_minimum};
 use crate::{Gap, Gravity, Hydrodynamics, Repulsion, Scene, SceneError};
 
@@ -192,8 +193,8 @@ struct Runner<'a, H: ?Sized, C, R, G, const N: usize> {
     samples: Vec<Sample>,
     /// Samples taken so far at multiples of the interval.
     sampled: u64,
-    /// The first configuration in the watched part of the run.
-    watched: Option<Sample>,
+    /// The first configuration in the watched part of the run, and the gaps since.
+    watched: Option<(Sample, GapHistory)>,
     settled: Option<f64>,
 }
 
@@ -308,17 +309,25 @@ where
 
     /// Straight flight parts for good; under gravity time may be up before the next contact.
     fn judge_free(&self) -> Outcome {
-        Outcome::Scattered
+        match (self.motion.gravity.get(), &self.watched) {
+            (Some(_), Some(_)) => self.judge_bound(),
+            (Some(gravity), None) if points_upward(&self.now, gravity) => Outcome::Upward,
+            _ => Outcome::Scattered,
+        }
     }
 
     fn judge_bound(&self) -> Outcome {
-        let Some(watched) = &self.watched else {
+        let Some((watched, gaps)) = &self.watched else {
             return Outcome::Undecided;
         };
         let speed = (self.scene.squirmers.iter())
             .map(|s| s.swimming_speed().abs())
             .fold(0.0, f64::max);
-        judge_bound(&watched.configuration, &self.now, self.t - watched.t, speed)
+        let (earlier, duration) = (&watched.configuration, self.t - watched.t);
+        match self.motion.gravity.get() {
+            Some(g) => judge_under_gravity(earlier, &self.now, duration, speed, gaps, g),
+            None => judge_bound(earlier, &self.now, duration, speed),
+        }
     }
 
     /// Flies freely to the next contact at the gap `cut`, or to the end.
@@ -339,6 +348,7 @@ where
             self.now = flight.at(duration);
         }
         self.t = end;
+        self.watch();
         if contact.is_some() {
             self.now.gap = cut;
             self.min_gap = self.min_gap.min(cut.eps());
@@ -374,7 +384,11 @@ where
                 .map_err(|error| self.failure(error))?;
             if !ended && self.t >= end_time {
                 ended = true;
-                end = PhaseEnd::Time;
+                end = if self.is_held_up(&step) {
+                    PhaseEnd::Steady(Outcome::Undecided)
+                } else {
+                    PhaseEnd::Time
+                };
             }
             if !ended && let Some(outcome) = self.settle(&step, &mut attempts) {
                 ended = true;
@@ -384,6 +398,32 @@ where
         self.counters.steps += stepper.accepted() as u64;
         self.counters.rejected += stepper.rejected() as u64;
         Ok(end)
+    }
+
+    /// Whether a pair in contact at the end of `step` is held up by a state that it will leave.
+    fn is_held_up(&mut self, step: &Step<N>) -> bool {
+        let relative = C::RELATIVE.filter(|_| self.motion.gravity.get().is_none());
+        let in_contact = step.y1[C::LN_GAP] <= CONTACT_GAP.ln();
+        let last = (&step.y1, &step.dy1);
+        relative.is_some_and(|relative| {
+            in_contact && is_held_up(&mut self.motion, step.t1, last, relative)
+        })
+    }
+
+    /// Keeps what the end of a run is judged by.
+    fn watch(&mut self) {
+        let ln_gap = self.now.gap.ln();
+        match &mut self.watched {
+            Some((_, gaps)) => gaps.take(ln_gap),
+            None if self.t >= WATCHED_FROM * self.options.end_time => {
+                let sample = Sample {
+                    t: self.t,
+                    configuration: self.now,
+                };
+                self.watched = Some((sample, GapHistory::from(ln_gap)));
+            }
+            None => {}
+        }
     }
 
     /// If a step ends at a steady state that holds, carries the pair on to the end time.
@@ -445,12 +485,10 @@ where
             self.now.gap = gap;
         }
         self.t = t;
-        if self.watched.is_none() && t >= WATCHED_FROM * self.options.end_time {
-            self.watched = Some(Sample {
-                t,
-                configuration: self.now,
-            });
+        if let Some((_, gaps)) = self.watched.as_mut().filter(|_| turns) {
+            gaps.minima += 1;
         }
+        self.watch();
         Ok(ends_at.is_some())
     }
 

@@ -29,6 +29,9 @@ const STEADY: f64 = 1e-11;
 /// How far from the pair's state the fixed point may lie.
 const NEARBY: f64 = 1e-3;
 
+/// The same for a pair that is only held up by it.
+const HELD_UP_NEARBY: f64 = 0.3;
+
 /// Step of the central differences of the Jacobian, whose error goes as its square.
 const DIFFERENCE: f64 = 1e-5;
 
@@ -91,26 +94,53 @@ pub(crate) fn steady_state<S: System<N>, const N: usize>(
     attempts.below = 0.1 * rate(dy);
     let marginal = rate(dy) < attempts.marginal;
     let start = *y;
+    let (mut y, dy, gradients) = fixed_point(system, t, (y, dy), relative, NEARBY)?;
+    let jacobian = gradients.fixed_rows::<3>(0).into_owned();
+    if holds(&jacobian, -DECAY) {
+        // What decays as exp(J t) from its start adds up to -J^-1 of the start.
+        let away = Vector3::from(of.map(|i| start[i] - y[i]));
+        y[relative.turning] -= (gradients.row(3) * jacobian.lu().solve(&away)?)[0];
+        return Some((y, dy));
+    }
+    (marginal && holds(&jacobian, GROWTH)).then_some((y, dy))
+}
+
+/// Whether the state `y` is held up by a fixed point near it from which something grows: such a
+/// pair is trapped for long, but not for ever.
+pub(crate) fn is_held_up<S: System<N>, const N: usize>(
+    system: &mut S,
+    t: f64,
+    (y, dy): (&[f64; N], &[f64; N]),
+    relative: Relative,
+) -> bool {
+    fixed_point(system, t, (y, dy), relative, HELD_UP_NEARBY)
+        .is_some_and(|(_, _, gradients)| !holds(&gradients.fixed_rows::<3>(0).into_owned(), GROWTH))
+}
+
+/// The fixed point within `nearby` of the state `y`, by Newton's method, with its derivative and the
+/// gradients there.
+fn fixed_point<S: System<N>, const N: usize>(
+    system: &mut S,
+    t: f64,
+    (y, dy): (&[f64; N], &[f64; N]),
+    relative: Relative,
+    nearby: f64,
+) -> Option<([f64; N], [f64; N], Matrix4x3<f64>)> {
+    let of = relative.variables;
+    let start = *y;
     let (mut y, mut dy) = (*y, *dy);
     for _ in 0..MAX_NEWTON_STEPS {
         let gradients = gradients(system, t, &y, relative);
-        let jacobian = gradients.fixed_rows::<3>(0).into_owned();
-        let inverse = jacobian.lu();
-        if rate(&dy) < STEADY {
-            if holds(&jacobian, -DECAY) {
-                // What decays as exp(J t) from its start adds up to -J^-1 of the start.
-                let away = Vector3::from(of.map(|i| start[i] - y[i]));
-                y[relative.turning] -= (gradients.row(3) * inverse.solve(&away)?)[0];
-                return Some((y, dy));
-            }
-            return (marginal && holds(&jacobian, GROWTH)).then_some((y, dy));
+        if of.iter().all(|&i| dy[i].abs() < STEADY) {
+            return Some((y, dy, gradients));
         }
-        let step = inverse.solve(&Vector3::from(of.map(|i| dy[i])))?;
+        let jacobian = gradients.fixed_rows::<3>(0).into_owned();
+        let step = jacobian.lu().solve(&Vector3::from(of.map(|i| dy[i])))?;
         for (k, i) in of.into_iter().enumerate() {
             y[i] -= step[k];
         }
         let moved = of.map(|i| (y[i] - start[i]).abs());
-        if moved.into_iter().any(|m| m.is_nan() || m > NEARBY) {
+        if moved.into_iter().any(|m| m.is_nan() || m > nearby) {
             return None;
         }
         dy = system.rhs(t, &y);

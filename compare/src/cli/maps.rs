@@ -1,0 +1,213 @@
+//! The commands that map the plane of initial directions.
+
+use clap::Args;
+
+use super::args::{Arguments, ModelArguments};
+use super::commands::{model_options, print_rows, set_up, sweep_options};
+use crate::maps::{self, FateRow, Grid, Pair, ScatterRow, TrustRow, TrustShares};
+use crate::numbers::{Numbers, parse_numbers};
+use crate::output::{OutputFolder, csv_text};
+use crate::sweep::SweepOptions;
+use crate::{CompareError, Method, Model, pictures};
+
+/// The methods that maps run when none are named.
+pub(crate) const METHODS: [Method; 2] = [Method::Lt, Method::Exact];
+
+/// Arguments of the commands that map the plane of initial directions.
+#[derive(Debug, Args)]
+pub(crate) struct MapArguments {
+    /// Squirmer parameters B2/B1 [default: the paper's]
+    #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
+    pub beta: Option<Numbers>,
+    /// Bottom-heavinesses G_bh, with gravity along -y [default: 0]
+    #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
+    pub g: Option<Numbers>,
+    /// Points a side, evenly from 0.01 to 1.99, in Delta and Sigma; an even number avoids the singular
+    /// lines Delta = 1 and Sigma = 1
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 100,
+        allow_hyphen_values = true
+    )]
+    pub grid: usize,
+    /// Methods: lt (as published), lt-corrected, exact, bem [default: lt,exact]
+    #[command(flatten)]
+    pub models: ModelArguments,
+    /// Tolerance of a trajectory's steps
+    #[arg(
+        long,
+        value_name = "TOL",
+        default_value_t = 1e-7,
+        allow_hyphen_values = true
+    )]
+    pub tol: f64,
+    /// Begin no further line of a map after this time; the same command goes on later
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    pub time_limit: Option<f64>,
+}
+
+/// What a map's command runs, checked.
+struct Checked {
+    models: Vec<Model>,
+    pairs: Vec<Pair>,
+    grid: Grid,
+    sweep: SweepOptions,
+    out: OutputFolder,
+}
+
+fn checked(
+    arguments: &MapArguments,
+    beta: &[f64],
+    general: &Arguments,
+) -> Result<Checked, CompareError> {
+    let (methods, options) = model_options(&arguments.models, &METHODS, general)?;
+    let sweep = sweep_options(arguments.tol, arguments.time_limit)?;
+    let grid = Grid::new(arguments.grid)?;
+    let list = |given: &Option<Numbers>, default: &[f64]| {
+        (given.as_ref()).map_or(default.to_vec(), |list| list.0.clone())
+    };
+    let g = list(&arguments.g, &[0.0]);
+    let pairs: Vec<_> = (list(&arguments.beta, beta).into_iter())
+        .flat_map(|beta| g.iter().map(move |&g| Pair { beta, g }))
+        .collect();
+    let out = OutputFolder::open(&general.out)?;
+    Ok(Checked {
+        models: set_up(&methods, &options)?,
+        pairs,
+        grid,
+        sweep,
+        out,
+    })
+}
+
+/// Squirmer parameters of the paper's Figs 2-4.
+pub(crate) const SCATTER_BETA: [f64; 5] = [0.0, 1.0, 5.0, -1.0, -5.0];
+
+pub(super) fn scatter(arguments: &MapArguments, general: &Arguments) -> Result<(), CompareError> {
+    let run = checked(arguments, &SCATTER_BETA, general)?;
+    let rows = maps::scatter(&run.models, &run.pairs, run.grid, &run.sweep, &run.out)?;
+    let Some(rows) = rows else {
+        return Ok(());
+    };
+    run.out.write("scatter.csv", &csv_text(&rows)?)?;
+    for picture in pictures::of_scatter(&rows)? {
+        run.out.write(&picture.file_name, &picture.svg)?;
+    }
+    print_fates(&fates_of(&rows, &run));
+    Ok(())
+}
+
+/// The shares in each map.
+fn fates_of(rows: &[ScatterRow], run: &Checked) -> Vec<FateRow> {
+    let maps = (run.models.iter()).flat_map(|model| run.pairs.iter().map(move |p| (model, *p)));
+    let points = run.grid.points() * run.grid.points();
+    (maps.zip(rows.chunks(points)))
+        .map(|((model, pair), rows)| maps::fate_of(model.method(), pair, rows))
+        .collect()
+}
+
+pub(super) fn fates(arguments: &MapArguments, general: &Arguments) -> Result<(), CompareError> {
+    let beta: Vec<f64> = (-10..=10).map(f64::from).collect();
+    let run = checked(arguments, &beta, general)?;
+    let rows = maps::fates(&run.models, &run.pairs, run.grid, &run.sweep, &run.out)?;
+    let Some(rows) = rows else {
+        return Ok(());
+    };
+    run.out.write("fates.csv", &csv_text(&rows)?)?;
+    for picture in pictures::of_fates(&rows)? {
+        run.out.write(&picture.file_name, &picture.svg)?;
+    }
+    print_fates(&rows);
+    Ok(())
+}
+
+pub(super) fn trust(arguments: &MapArguments, general: &Arguments) -> Result<(), CompareError> {
+    let mut run = checked(arguments, &SCATTER_BETA, general)?;
+    let exact = run.models.iter().position(|m| m.method() == Method::Exact);
+    let Some(exact) = exact else {
+        let allowed = "name exact, and what it is to judge, such as lt,exact";
+        return Err(CompareError::input("--method", "without exact", allowed));
+    };
+    let exact = run.models.remove(exact);
+    if run.models.is_empty() {
+        let allowed = "name a method that it is to judge too, such as lt,exact";
+        return Err(CompareError::input("--method", "exact", allowed));
+    }
+    let Checked { models, pairs, .. } = &run;
+    let rows = maps::trust(models, &exact, pairs, run.grid, &run.sweep, &run.out)?;
+    let Some(rows) = rows else {
+        return Ok(());
+    };
+    run.out.write("trust.csv", &csv_text(&rows)?)?;
+    write_trust_pictures(&rows, &run.out)?;
+    print_trust(&maps::trust_shares(&rows));
+    Ok(())
+}
+
+fn write_trust_pictures(rows: &[TrustRow], out: &OutputFolder) -> Result<(), CompareError> {
+    for picture in pictures::of_trust(rows)? {
+        out.write(&picture.file_name, &picture.svg)?;
+    }
+    Ok(())
+}
+
+fn percent(share: f64) -> String {
+    format!("{:.2}", 100.0 * share)
+}
+
+/// Shares in per cent.
+fn print_fates(rows: &[FateRow]) {
+    let header = [
+        "%",
+        "beta",
+        "g",
+        "scattered",
+        "standoff",
+        "pairwise",
+        "anticlockwise",
+        "clockwise",
+        "undecided",
+        "upward",
+        "oscillating",
+        "downward",
+        "failed",
+    ];
+    let line = |row: &FateRow| {
+        let shares = [
+            row.scattered,
+            row.standoff,
+            row.pairwise,
+            row.anticlockwise,
+            row.clockwise,
+            row.undecided,
+            row.upward,
+            row.oscillating,
+            row.downward,
+            row.failed,
+        ];
+        let mut line = vec![row.method.clone(), row.beta.to_string(), row.g.to_string()];
+        line.extend(shares.map(percent));
+        line
+    };
+    print_rows(&header, rows.iter().map(line));
+}
+
+fn print_trust(shares: &[TrustShares]) {
+    let mut header = vec!["%", "beta", "g"];
+    header.extend(maps::TRUST_CLASSES);
+    let line = |row: &TrustShares| {
+        let shares = [
+            row.within_5_deg,
+            row.within_15_deg,
+            row.within_45_deg,
+            row.beyond_45_deg,
+            row.same_outcome,
+            row.other_outcome,
+        ];
+        let mut line = vec![row.method.clone(), row.beta.to_string(), row.g.to_string()];
+        line.extend(shares.map(percent));
+        line
+    };
+    print_rows(&header, shares.iter().map(line));
+}

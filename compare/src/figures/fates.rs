@@ -1,0 +1,112 @@
+//! Share of each kind of bound state against beta (the paper's Fig. 5a) or, if several are given,
+//! against bottom-heaviness (Fig. 8g): a panel for each method.
+
+use super::canvas::{
+    ABOVE, Axes, BELOW, Entry, Key, LEFT, RIGHT, Stroke, TITLE, legend_height, picture,
+};
+use super::deflection::padded;
+use super::style::{Dash, Shape, colour};
+use super::{FigureError, distinct, methods, number, same};
+use crate::maps::FateRow;
+
+/// A line: its name and the points.
+type Line<'a> = (String, Vec<&'a FateRow>, fn(&FateRow) -> f64);
+
+/// Draws the shares; with several bottom-heavinesses that of orbits, a line for each beta.
+///
+/// # Errors
+/// [`FigureError`] if there are no rows.
+pub fn fates(rows: &[FateRow]) -> Result<String, FigureError> {
+    if rows.is_empty() {
+        return Err(FigureError::Empty { what: "no shares" });
+    }
+    let gravity = distinct(rows.iter().map(|row| row.g)).len() > 1;
+    let abscissa: fn(&FateRow) -> f64 = if gravity { |r| r.g } else { |r| r.beta };
+    let methods = methods(rows.iter().filter_map(FateRow::method));
+    let x = padded(rows.iter().map(abscissa), 0.04);
+    let plot = (400.0, 320.0);
+    let cell = LEFT + plot.0 + RIGHT;
+    let width = cell * methods.len().max(1) as f64;
+    let label =
+        |i: usize, name: String| -> Entry { (Key::MarkedLine(stroke(i), Shape::of(i)), name) };
+    let names = lines(rows, gravity).into_iter().enumerate();
+    let legend = vec![names.map(|(i, (name, ..))| label(i, name)).collect()];
+    let legend_top = TITLE + ABOVE + plot.1 + BELOW + 8.0;
+    let height = legend_top + legend_height(&legend, width);
+    let title = if gravity {
+        "Share of orbiting pairs against bottom-heaviness"
+    } else {
+        "Share of each outcome over the incoming angles"
+    };
+    picture((width, height), title, |canvas| {
+        for (column, &method) in methods.iter().enumerate() {
+            let mine: Vec<FateRow> =
+                (rows.iter().filter(|r| r.method() == Some(method)).cloned()).collect();
+            let axes = Axes {
+                title: method.title().to_owned(),
+                x: x.clone(),
+                y: -2.0..if gravity { 50.0 } else { 102.0 },
+                x_title: if gravity {
+                    "bottom-heaviness, G"
+                } else {
+                    "squirmer parameter, β"
+                },
+                y_title: "share of incoming angles (%)",
+                ticks: (9, 6),
+            };
+            let corner = (cell * column as f64 + LEFT, TITLE + ABOVE);
+            let panel = canvas.panel(corner, plot, axes)?;
+            for (i, (_, rows, share)) in lines(&mine, gravity).into_iter().enumerate() {
+                let mut points: Vec<_> = rows
+                    .iter()
+                    .map(|row| (abscissa(row), 100.0 * share(row)))
+                    .collect();
+                points.sort_by(|a, b| a.0.total_cmp(&b.0));
+                panel.line(&points, stroke(i))?;
+                for at in points {
+                    panel.marker(at, colour(i), Shape::of(i), true)?;
+                }
+            }
+        }
+        canvas.legend(&legend, legend_top, width)
+    })
+}
+
+fn lines(rows: &[FateRow], gravity: bool) -> Vec<Line<'_>> {
+    if gravity {
+        let betas = distinct(rows.iter().map(|row| row.beta)).into_iter();
+        let of = |beta: f64| {
+            rows.iter()
+                .filter(move |row| same(row.beta, beta))
+                .collect()
+        };
+        return betas
+            .map(|beta| {
+                (
+                    format!("β = {}", number(beta)),
+                    of(beta),
+                    FateRow::orbits as _,
+                )
+            })
+            .collect();
+    }
+    type Share = fn(&FateRow) -> f64;
+    let shares: [(&str, Share); 5] = [
+        ("scattered", |r| r.scattered),
+        ("pairwise", |r| r.pairwise),
+        ("anticlockwise", |r| r.anticlockwise),
+        ("clockwise", |r| r.clockwise),
+        ("undecided", |r| r.undecided),
+    ];
+    shares
+        .map(|(name, share)| (name.to_owned(), rows.iter().collect(), share))
+        .into()
+}
+
+fn stroke(index: usize) -> Stroke {
+    Stroke {
+        colour: colour(index),
+        width: 2.0,
+        dash: Dash::Solid,
+    }
+}

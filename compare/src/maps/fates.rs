@@ -1,0 +1,147 @@
+//! The share of each outcome in the plane of initial directions (the paper's Figs 5a and 8g).
+
+use scene::Outcome;
+use serde::{Deserialize, Serialize};
+
+use super::grid::{Grid, Pair};
+use super::scatter::{ScatterRow, line};
+use super::{Sweep, csv_lines, rows_of};
+use crate::output::OutputFolder;
+use crate::sweep::SweepOptions;
+use crate::{CompareError, Method, Model};
+
+/// One line of `fates.csv`: shares of the plane.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FateRow {
+    /// Name of the method.
+    pub method: String,
+    /// Squirmer parameter.
+    pub beta: f64,
+    /// Bottom-heaviness.
+    pub g: f64,
+    /// Parted.
+    pub scattered: f64,
+    /// At rest, facing each other.
+    pub standoff: f64,
+    /// Swimming together along a line.
+    pub pairwise: f64,
+    /// Orbiting anticlockwise.
+    pub anticlockwise: f64,
+    /// Orbiting clockwise.
+    pub clockwise: f64,
+    /// Neither parted nor settled at the end.
+    pub undecided: f64,
+    /// Under gravity: both swim up.
+    pub upward: f64,
+    /// Under gravity: bound, the gap oscillating.
+    pub oscillating: f64,
+    /// Under gravity: bound, swimming down.
+    pub downward: f64,
+    /// Runs without a result.
+    pub failed: f64,
+    /// Standard error of the share of orbits and pairs swimming together, if the points of the grid
+    /// were drawn at random; those of a grid do better.
+    pub sampling_error: f64,
+    /// Points of the grid.
+    pub points: usize,
+}
+
+impl FateRow {
+    /// Share of pairs that orbit or swim together.
+    #[must_use]
+    pub fn bound(&self) -> f64 {
+        self.standoff + self.pairwise + self.orbits()
+    }
+
+    /// Share of pairs that orbit.
+    #[must_use]
+    pub fn orbits(&self) -> f64 {
+        self.anticlockwise + self.clockwise
+    }
+
+    /// The method.
+    #[must_use]
+    pub fn method(&self) -> Option<Method> {
+        Method::ALL.into_iter().find(|m| m.name() == self.method)
+    }
+}
+
+/// How often each outcome occurred along a line of the grid; last the runs that failed.
+#[derive(Clone, Copy, Default, Serialize, Deserialize)]
+struct Counts([usize; Outcome::ALL.len() + 1]);
+
+impl Counts {
+    fn of(rows: &[ScatterRow]) -> Self {
+        let mut counts = Self::default();
+        for row in rows {
+            let index = (Outcome::ALL.iter()).position(|o| Some(*o) == row.outcome());
+            counts.0[index.unwrap_or(Outcome::ALL.len())] += 1;
+        }
+        counts
+    }
+}
+
+/// The shares for every model and pair, in this order; `None` where the time limit left something
+/// out, to be gone on with.
+///
+/// # Errors
+/// [`CompareError::Write`] if rows cannot be kept.
+pub fn fates(
+    models: &[Model],
+    pairs: &[Pair],
+    grid: Grid,
+    sweep: &SweepOptions,
+    out: &OutputFolder,
+) -> Result<Option<Vec<FateRow>>, CompareError> {
+    let sweep = Sweep::new("fates", models, pairs, grid, sweep);
+    let lines = sweep.run(out, |model, pair, sigma, options| {
+        csv_lines(&[Counts::of(&line(model, pair, grid, sigma, options))])
+    })?;
+    let Some(lines) = lines else {
+        return Ok(None);
+    };
+    let maps = (models.iter()).flat_map(|model| pairs.iter().map(move |pair| (model, *pair)));
+    let rows = (maps.zip(lines.chunks(grid.points())))
+        .map(|((model, pair), lines)| {
+            let counts: Vec<Counts> = rows_of(&lines.concat())?;
+            Ok(fate_row(model.method(), pair, &counts))
+        })
+        .collect::<Result<_, CompareError>>()?;
+    Ok(Some(rows))
+}
+
+/// The shares in one map that has been run already.
+#[must_use]
+pub fn fate_of(method: Method, pair: Pair, rows: &[ScatterRow]) -> FateRow {
+    fate_row(method, pair, &[Counts::of(rows)])
+}
+
+fn fate_row(method: Method, pair: Pair, lines: &[Counts]) -> FateRow {
+    let points: usize = lines.iter().flat_map(|counts| counts.0).sum();
+    let share = |index: usize| {
+        let count: usize = lines.iter().map(|counts| counts.0[index]).sum();
+        count as f64 / points as f64
+    };
+    let of =
+        |outcome: Outcome| (Outcome::ALL.iter().position(|o| *o == outcome)).map_or(0.0, share);
+    let mut row = FateRow {
+        method: method.name().to_owned(),
+        beta: pair.beta,
+        g: pair.g,
+        scattered: of(Outcome::Scattered),
+        standoff: of(Outcome::Standoff),
+        pairwise: of(Outcome::Pairwise),
+        anticlockwise: of(Outcome::Anticlockwise),
+        clockwise: of(Outcome::Clockwise),
+        undecided: of(Outcome::Undecided),
+        upward: of(Outcome::Upward),
+        oscillating: of(Outcome::Oscillating),
+        downward: of(Outcome::Downward),
+        failed: share(Outcome::ALL.len()),
+        sampling_error: 0.0,
+        points,
+    };
+    let bound = row.bound();
+    row.sampling_error = (bound * (1.0 - bound) / points as f64).sqrt();
+    row
+}

@@ -1,0 +1,130 @@
+//! Maps over the plane of initial directions: what becomes of the pair, how often, and where
+//! lubrication theory can be trusted.
+
+mod fates;
+mod grid;
+mod resume;
+mod scatter;
+mod trust;
+
+use std::time::Duration;
+
+use scene::{Hydrodynamics, RunOptions};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use crate::output::OutputFolder;
+use crate::sweep::SweepOptions;
+use crate::{CompareError, Model};
+use resume::Journal;
+
+pub use fates::{FateRow, fate_of, fates};
+pub use grid::{Grid, Pair};
+pub use scatter::{ScatterRow, scatter, scatter_row};
+pub(crate) use trust::{CLASSES as TRUST_CLASSES, same_map};
+pub use trust::{TrustRow, TrustShares, trust, trust_shares};
+
+/// A sweep over models, pairs and the lines of a grid, each line a chunk.
+struct Sweep<'a> {
+    name: &'static str,
+    models: &'a [Model],
+    pairs: &'a [Pair],
+    grid: Grid,
+    run: RunOptions,
+    time_limit: Option<Duration>,
+}
+
+impl<'a> Sweep<'a> {
+    fn new(
+        name: &'static str,
+        models: &'a [Model],
+        pairs: &'a [Pair],
+        grid: Grid,
+        options: &SweepOptions,
+    ) -> Self {
+        Self {
+            name,
+            models,
+            pairs,
+            grid,
+            run: RunOptions {
+                sample_interval: None,
+                ..options.run
+            },
+            time_limit: options.time_limit,
+        }
+    }
+
+    /// All that the rows depend on, in one line.
+    fn key(&self) -> String {
+        let models: Vec<_> = (self.models.iter())
+            .map(|model| format!("{} ({})", model.method(), model.fingerprint()))
+            .collect();
+        let pairs: Vec<_> = (self.pairs.iter())
+            .map(|pair| format!("{:?}/{:?}", pair.beta, pair.g))
+            .collect();
+        format!(
+            "squirmers {} {}: {}; beta/g {}; grid {}; tolerance {:?}; end {:?}",
+            env!("CARGO_PKG_VERSION"),
+            self.name,
+            models.join(", "),
+            pairs.join(", "),
+            self.grid.points(),
+            self.run.tolerance,
+            self.run.end_time,
+        )
+        .replace('\n', " ")
+    }
+
+    /// The lines of every chunk, models outermost, then pairs, then `Sigma`; `None`, and a note on
+    /// standard error, if the time limit left some out.
+    fn run(
+        &self,
+        out: &OutputFolder,
+        compute: impl Fn(&Model, Pair, f64, &RunOptions) -> Result<String, CompareError> + Sync,
+    ) -> Result<Option<Vec<String>>, CompareError> {
+        let sigmas = self.grid.values();
+        let chunks = self.models.len() * self.pairs.len() * sigmas.len();
+        let journal = Journal::open(out, self.name, &self.key())?;
+        let lines = journal.run(chunks, "lines of the map", self.time_limit, |chunk| {
+            let (map, line) = (chunk / sigmas.len(), chunk % sigmas.len());
+            let model = &self.models[map / self.pairs.len()];
+            let pair = self.pairs[map % self.pairs.len()];
+            compute(model, pair, sigmas[line], &self.run)
+        })?;
+        let skipped = lines.iter().filter(|line| line.is_none()).count();
+        if skipped > 0 {
+            eprintln!(
+                "skipped: the time limit was reached before {skipped} of {chunks} lines of constant \
+                 Sigma; the same command goes on from {}.csv.part",
+                self.name
+            );
+            return Ok(None);
+        }
+        journal.close()?;
+        Ok(Some(lines.into_iter().flatten().collect()))
+    }
+}
+
+/// Rows as CSV lines without a header.
+fn csv_lines<T: Serialize>(rows: &[T]) -> Result<String, CompareError> {
+    let mut writer = csv::WriterBuilder::new()
+        .has_headers(false)
+        .from_writer(Vec::new());
+    for row in rows {
+        writer.serialize(row)?;
+    }
+    let bytes = (writer.into_inner()).map_err(|error| csv::Error::from(error.into_error()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// Rows from CSV lines without a header.
+fn rows_of<T: DeserializeOwned>(lines: &str) -> Result<Vec<T>, CompareError> {
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .from_reader(lines.as_bytes());
+    reader
+        .deserialize()
+        .map(|row| row.map_err(CompareError::from))
+        .collect()
+}

@@ -1,0 +1,113 @@
+//! Maps of what becomes of two squirmers over their initial directions (the paper's Figs 2-4).
+
+use scene::{Outcome, RunOptions};
+use serde::{Deserialize, Serialize};
+
+use super::grid::{Grid, Pair};
+use super::{Sweep, csv_lines, rows_of};
+use crate::output::OutputFolder;
+use crate::sweep::SweepOptions;
+use crate::{CompareError, Method, Model};
+
+/// One line of `scatter.csv`. Deflections wind, anticlockwise positive; those of a bound pair are
+/// the change of orientation up to the end of the run. A run that failed has NaN and the outcome
+/// `failed`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ScatterRow {
+    /// Name of the method.
+    pub method: String,
+    /// Squirmer parameter.
+    pub beta: f64,
+    /// Bottom-heaviness.
+    pub g: f64,
+    /// Difference of the incoming angles, `(phi2 - phi1)/pi`.
+    pub delta: f64,
+    /// Sum of the incoming angles, `(phi2 + phi1)/pi`.
+    pub sigma: f64,
+    /// Deflection of the first squirmer, in degrees.
+    pub deflection1_deg: f64,
+    /// Deflection of the second squirmer, in degrees.
+    pub deflection2_deg: f64,
+    /// Time spent at gaps up to 1, in `a/V_s`.
+    pub tau: f64,
+    /// Outcome.
+    pub outcome: String,
+    /// Smallest gap, in radii.
+    pub min_gap: f64,
+}
+
+/// Outcome of a run that failed.
+pub(super) const FAILED: &str = "failed";
+
+/// The run that starts at one point of the plane.
+#[must_use]
+pub fn scatter_row(
+    model: &Model,
+    pair: Pair,
+    (delta, sigma): (f64, f64),
+    options: &RunOptions,
+) -> ScatterRow {
+    let run = (pair.scene(delta, sigma)).and_then(|scene| model.run(&scene, options));
+    let run = run.as_ref().ok();
+    let deflection = |k: usize| run.map_or(f64::NAN, |run| run.deflections()[k].to_degrees() + 0.0);
+    ScatterRow {
+        method: model.method().name().to_owned(),
+        beta: pair.beta,
+        g: pair.g,
+        delta,
+        sigma,
+        deflection1_deg: deflection(0),
+        deflection2_deg: deflection(1),
+        tau: run.map_or(f64::NAN, |run| run.contact_time),
+        outcome: run.map_or(FAILED.to_owned(), |run| run.outcome.to_string()),
+        min_gap: run.map_or(f64::NAN, |run| run.min_gap),
+    }
+}
+
+/// The runs along a line of constant `Sigma`.
+pub(super) fn line(
+    model: &Model,
+    pair: Pair,
+    grid: Grid,
+    sigma: f64,
+    options: &RunOptions,
+) -> Vec<ScatterRow> {
+    (grid.values().into_iter())
+        .map(|delta| scatter_row(model, pair, (delta, sigma), options))
+        .collect()
+}
+
+/// The maps of every model, pair and point of the grid, in this order, each `Sigma` a line of
+/// `Delta`; `None` where the time limit left something out, to be gone on with.
+///
+/// # Errors
+/// [`CompareError::Write`] if rows cannot be kept.
+pub fn scatter(
+    models: &[Model],
+    pairs: &[Pair],
+    grid: Grid,
+    sweep: &SweepOptions,
+    out: &OutputFolder,
+) -> Result<Option<Vec<ScatterRow>>, CompareError> {
+    let sweep = Sweep::new("scatter", models, pairs, grid, sweep);
+    sweep
+        .run(out, |model, pair, sigma, options| {
+            csv_lines(&line(model, pair, grid, sigma, options))
+        })?
+        .map(|lines| rows_of(&lines.concat()))
+        .transpose()
+}
+
+impl ScatterRow {
+    /// The method.
+    #[must_use]
+    pub fn method(&self) -> Option<Method> {
+        Method::ALL.into_iter().find(|m| m.name() == self.method)
+    }
+
+    /// The outcome, unless the run failed.
+    #[must_use]
+    pub fn outcome(&self) -> Option<Outcome> {
+        (Outcome::ALL.into_iter()).find(|outcome| outcome.to_string() == self.outcome)
+    }
+}

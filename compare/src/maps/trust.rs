@@ -1,0 +1,169 @@
+//! Where lubrication theory and exact hydrodynamics part, over the plane of initial directions.
+
+use scene::Outcome;
+use serde::{Deserialize, Serialize};
+
+use super::grid::{Grid, Pair};
+use super::scatter::{ScatterRow, line};
+use super::{Sweep, csv_lines, rows_of};
+use crate::output::OutputFolder;
+use crate::sweep::SweepOptions;
+use crate::{CompareError, Method, Model};
+
+/// One line of `trust.csv`. Differences are those of the deflections, lubrication less exact; of a
+/// bound pair they are those of the orientations at the end of the run.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TrustRow {
+    /// Squirmer parameter.
+    pub beta: f64,
+    /// Difference of the incoming angles, `(phi2 - phi1)/pi`.
+    pub delta: f64,
+    /// Sum of the incoming angles, `(phi2 + phi1)/pi`.
+    pub sigma: f64,
+    /// Outcome by lubrication theory.
+    pub outcome_lt: String,
+    /// Outcome by exact hydrodynamics.
+    pub outcome_exact: String,
+    /// Difference for the first squirmer, in degrees.
+    pub difference1_deg: f64,
+    /// Difference for the second squirmer, in degrees.
+    pub difference2_deg: f64,
+    /// Form of lubrication theory.
+    pub method: String,
+    /// Bottom-heaviness.
+    pub g: f64,
+}
+
+impl TrustRow {
+    fn of(judged: &ScatterRow, exact: &ScatterRow) -> Self {
+        Self {
+            beta: judged.beta,
+            delta: judged.delta,
+            sigma: judged.sigma,
+            outcome_lt: judged.outcome.clone(),
+            outcome_exact: exact.outcome.clone(),
+            difference1_deg: judged.deflection1_deg - exact.deflection1_deg,
+            difference2_deg: judged.deflection2_deg - exact.deflection2_deg,
+            method: judged.method.clone(),
+            g: judged.g,
+        }
+    }
+
+    /// Whether both models say the same outcome.
+    #[must_use]
+    pub fn agrees(&self) -> bool {
+        self.outcome_lt == self.outcome_exact
+    }
+
+    /// The larger difference, in degrees, where the pair parts by both models.
+    #[must_use]
+    pub fn difference(&self) -> Option<f64> {
+        let scattered = self.agrees() && self.outcome_lt == Outcome::Scattered.to_string();
+        scattered.then(|| self.difference1_deg.abs().max(self.difference2_deg.abs()))
+    }
+
+    /// The class of trust: how far the deflections are apart, or that the outcomes differ.
+    #[must_use]
+    pub fn class(&self) -> usize {
+        match self.difference() {
+            _ if !self.agrees() => CLASSES.len() - 1,
+            Some(difference) => (BOUNDS_DEG.iter())
+                .position(|&bound| difference <= bound)
+                .unwrap_or(BOUNDS_DEG.len()),
+            None => CLASSES.len() - 2,
+        }
+    }
+}
+
+/// Differences of deflections, in degrees, that bound the classes of trust.
+const BOUNDS_DEG: [f64; 3] = [5.0, 15.0, 45.0];
+
+/// The classes of trust.
+pub(crate) const CLASSES: [&str; 6] = [
+    "up to 5°",
+    "5° to 15°",
+    "15° to 45°",
+    "more than 45°",
+    "bound alike",
+    "another outcome",
+];
+
+/// Shares of the plane by how well lubrication theory does.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TrustShares {
+    /// Form of lubrication theory.
+    pub method: String,
+    /// Squirmer parameter.
+    pub beta: f64,
+    /// Bottom-heaviness.
+    pub g: f64,
+    /// Both part, deflections within 5 degrees of each other.
+    pub within_5_deg: f64,
+    /// Both part, 5 to 15 degrees.
+    pub within_15_deg: f64,
+    /// Both part, 15 to 45 degrees.
+    pub within_45_deg: f64,
+    /// Both part, more than 45 degrees.
+    pub beyond_45_deg: f64,
+    /// The same outcome, but not parted.
+    pub same_outcome: f64,
+    /// Another outcome.
+    pub other_outcome: f64,
+}
+
+/// The shares for each method and pair, in the order of `rows`.
+#[must_use]
+pub fn trust_shares(rows: &[TrustRow]) -> Vec<TrustShares> {
+    (rows.chunk_by(same_map))
+        .map(|map| {
+            let share = |class: usize| {
+                map.iter().filter(|row| row.class() == class).count() as f64 / map.len() as f64
+            };
+            TrustShares {
+                method: map[0].method.clone(),
+                beta: map[0].beta,
+                g: map[0].g,
+                within_5_deg: share(0),
+                within_15_deg: share(1),
+                within_45_deg: share(2),
+                beyond_45_deg: share(3),
+                same_outcome: share(4),
+                other_outcome: share(5),
+            }
+        })
+        .collect()
+}
+
+/// Whether two rows belong to the same map.
+pub(crate) fn same_map(a: &TrustRow, b: &TrustRow) -> bool {
+    let key = |row: &TrustRow| (row.beta.to_bits(), row.g.to_bits());
+    a.method == b.method && key(a) == key(b)
+}
+
+/// Judges each of `models` by `exact` at every pair and point of the grid, in this order; `None` where
+/// the time limit left something out, to be gone on with.
+///
+/// # Errors
+/// [`CompareError::Write`] if rows cannot be kept.
+pub fn trust(
+    models: &[Model],
+    exact: &Model,
+    pairs: &[Pair],
+    grid: Grid,
+    sweep: &SweepOptions,
+    out: &OutputFolder,
+) -> Result<Option<Vec<TrustRow>>, CompareError> {
+    debug_assert_eq!(exact.method(), Method::Exact);
+    let sweep = Sweep::new("trust", models, pairs, grid, sweep);
+    sweep
+        .run(out, |model, pair, sigma, options| {
+            let judged = line(model, pair, grid, sigma, options);
+            let referee = line(exact, pair, grid, sigma, options);
+            let rows: Vec<_> = (judged.iter().zip(&referee))
+                .map(|(judged, exact)| TrustRow::of(judged, exact))
+                .collect();
+            csv_lines(&rows)
+        })?
+        .map(|lines| rows_of(&lines.concat()))
+        .transpose()
+}

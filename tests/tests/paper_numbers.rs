@@ -1,0 +1,85 @@
+//! The numbers that the paper gives in words, from lubrication theory as published.
+
+#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
+
+use compare::maps::{FateRow, Grid, Pair, ScatterRow, fates, scatter_row};
+use compare::sweep::SweepOptions;
+use compare::{Method, Model, ModelOptions, OutputFolder};
+use scene::RunOptions;
+
+fn lubrication() -> Model {
+    Model::set_up(Method::Lt, &ModelOptions::default()).unwrap()
+}
+
+fn options() -> RunOptions {
+    RunOptions {
+        tolerance: 1e-7,
+        ..RunOptions::default()
+    }
+}
+
+/// Shares without gravity on a grid of 60 points a side.
+fn shares(beta: f64) -> FateRow {
+    let folder = tempfile::tempdir().unwrap();
+    let out = OutputFolder::open(folder.path()).unwrap();
+    let sweep = SweepOptions {
+        run: options(),
+        time_limit: None,
+    };
+    let pair = Pair { beta, g: 0.0 };
+    let grid = Grid::new(60).unwrap();
+    let rows = fates(&[lubrication()], &[pair], grid, &sweep, &out);
+    rows.unwrap().unwrap().remove(0)
+}
+
+/// One neutral pair under lubrication theory.
+fn neutral(delta: f64, sigma: f64) -> ScatterRow {
+    let pair = Pair { beta: 0.0, g: 0.0 };
+    scatter_row(&lubrication(), pair, (delta, sigma), &options())
+}
+
+#[test]
+fn val_strong_pullers_are_trapped_on_36_per_cent_of_the_plane_all_pairwise() {
+    let row = shares(5.0);
+    assert!((row.pairwise - 0.36).abs() < 0.01, "{row:?}");
+    assert!(
+        row.orbits() + row.standoff + row.undecided < 0.01,
+        "{row:?}"
+    );
+}
+
+#[test]
+fn val_strong_pushers_orbit_on_23_per_cent_of_the_plane_half_each_way() {
+    let row = shares(-5.0);
+    assert!((row.orbits() - 0.23).abs() < 0.01, "{row:?}");
+    assert!((row.anticlockwise - row.clockwise).abs() < 0.002, "{row:?}");
+    assert!(row.pairwise + row.undecided < 0.01, "{row:?}");
+}
+
+#[test]
+fn val_neutral_squirmers_and_weak_pullers_always_part() {
+    for beta in [0.0, 1.0] {
+        let row = shares(beta);
+        assert!(row.scattered > 0.999, "{row:?}");
+    }
+}
+
+#[test]
+fn val_weak_pushers_part_but_for_a_thin_line() {
+    // The paper: prolonged, not permanent. Starts on a line slide along the cut until the end.
+    let row = shares(-1.0);
+    assert!(row.bound() + row.undecided < 0.015, "{row:?}");
+}
+
+#[test]
+fn val_neutral_deflection_grows_to_0_64_towards_the_singular_point() {
+    let row = neutral(1.0 + 1e-4, 1.0);
+    let deflection = row.deflection1_deg.abs() / 180.0;
+    assert!((deflection - 0.64).abs() < 0.015, "{deflection}");
+}
+
+#[test]
+fn val_neutral_squirmers_come_as_near_as_0_028() {
+    let row = neutral(1.01, 1.0);
+    assert!((row.min_gap - 0.028).abs() < 0.002, "{row:?}");
+}
