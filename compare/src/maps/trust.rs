@@ -114,7 +114,7 @@ pub struct TrustShares {
 /// The shares for each method and pair, in the order of `rows`.
 #[must_use]
 pub fn trust_shares(rows: &[TrustRow]) -> Vec<TrustShares> {
-    (rows.chunk_by(|a, b| same_map(a, b)))
+    (rows.chunk_by(same_map))
         .map(|map| {
             let share = |class: usize| {
                 map.iter().filter(|row| row.class() == class).count() as f64 / map.len() as f64
