@@ -9,8 +9,11 @@ use super::style::{Dash, Shape, colour};
 use super::{FigureError, distinct, methods, number, same};
 use crate::maps::FateRow;
 
+/// A share of the plane.
+type Share = fn(&FateRow) -> f64;
+
 /// A line: its name and the points.
-type Line<'a> = (String, Vec<&'a FateRow>, fn(&FateRow) -> f64);
+type Line<'a> = (String, Vec<&'a FateRow>, Share);
 
 /// Draws the shares; with several bottom-heavinesses that of orbits, a line for each beta.
 ///
@@ -90,7 +93,6 @@ fn lines(rows: &[FateRow], gravity: bool) -> Vec<Line<'_>> {
             })
             .collect();
     }
-    type Share = fn(&FateRow) -> f64;
     let shares: [(&str, Share); 5] = [
         ("scattered", |r| r.scattered),
         ("pairwise", |r| r.pairwise),
