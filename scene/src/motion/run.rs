@@ -10,7 +10,7 @@ use super::equations::{Absent, Effect, PairMotion, Present};
 use super::free_flight::PairFlight;
 use super::outcome::{GapHistory, Outcome, judge_bound, judge_steady};
 use super::outcome::{judge_under_gravity, points_upward};
-use super::steady::{Attempts, is_held_up, steady_state};
+use super::steady::{Attempts, steady_state};
 use crate::ode::{Dense, Direction, OdeError, Step, Stepper, first_crossing, first_minimum};
 use crate::{Gap, Gravity, Hydrodynamics, Repulsion, Scene, SceneError};
 
@@ -384,11 +384,7 @@ where
                 .map_err(|error| self.failure(error))?;
             if !ended && self.t >= end_time {
                 ended = true;
-                end = if self.is_held_up(&step) {
-                    PhaseEnd::Steady(Outcome::Undecided)
-                } else {
-                    PhaseEnd::Time
-                };
+                end = PhaseEnd::Time;
             }
             if !ended && let Some(outcome) = self.settle(&step, &mut attempts) {
                 ended = true;
@@ -398,16 +394,6 @@ where
         self.counters.steps += stepper.accepted() as u64;
         self.counters.rejected += stepper.rejected() as u64;
         Ok(end)
-    }
-
-    /// Whether a pair in contact at the end of `step` is held up by a state that it will leave.
-    fn is_held_up(&mut self, step: &Step<N>) -> bool {
-        let relative = C::RELATIVE.filter(|_| self.motion.gravity.get().is_none());
-        let in_contact = step.y1[C::LN_GAP] <= CONTACT_GAP.ln();
-        let last = (&step.y1, &step.dy1);
-        relative.is_some_and(|relative| {
-            in_contact && is_held_up(&mut self.motion, step.t1, last, relative)
-        })
     }
 
     /// Keeps what the end of a run is judged by.

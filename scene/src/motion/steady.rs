@@ -29,9 +29,6 @@ const STEADY: f64 = 1e-11;
 /// How far from the pair's state the fixed point may lie.
 const NEARBY: f64 = 1e-3;
 
-/// The same for a pair that is only held up by it.
-const HELD_UP_NEARBY: f64 = 0.3;
-
 /// Step of the central differences of the Jacobian, whose error goes as its square.
 const DIFFERENCE: f64 = 1e-5;
 
@@ -94,7 +91,7 @@ pub(crate) fn steady_state<S: System<N>, const N: usize>(
     attempts.below = 0.1 * rate(dy);
     let marginal = rate(dy) < attempts.marginal;
     let start = *y;
-    let (mut y, dy, gradients) = fixed_point(system, t, (y, dy), relative, NEARBY)?;
+    let (mut y, dy, gradients) = fixed_point(system, t, (y, dy), relative)?;
     let jacobian = gradients.fixed_rows::<3>(0).into_owned();
     if holds(&jacobian, -DECAY) {
         // What decays as exp(J t) from its start adds up to -J^-1 of the start.
@@ -105,26 +102,13 @@ pub(crate) fn steady_state<S: System<N>, const N: usize>(
     (marginal && holds(&jacobian, GROWTH)).then_some((y, dy))
 }
 
-/// Whether the state `y` is held up by a fixed point near it from which something grows: such a
-/// pair is trapped for long, but not for ever.
-pub(crate) fn is_held_up<S: System<N>, const N: usize>(
-    system: &mut S,
-    t: f64,
-    (y, dy): (&[f64; N], &[f64; N]),
-    relative: Relative,
-) -> bool {
-    fixed_point(system, t, (y, dy), relative, HELD_UP_NEARBY)
-        .is_some_and(|(_, _, gradients)| !holds(&gradients.fixed_rows::<3>(0).into_owned(), GROWTH))
-}
-
-/// The fixed point within `nearby` of the state `y`, by Newton's method, with its derivative and the
+/// The fixed point near the state `y`, by Newton's method, with its derivative and the
 /// gradients there.
 fn fixed_point<S: System<N>, const N: usize>(
     system: &mut S,
     t: f64,
     (y, dy): (&[f64; N], &[f64; N]),
     relative: Relative,
-    nearby: f64,
 ) -> Option<([f64; N], [f64; N], Matrix4x3<f64>)> {
     let of = relative.variables;
     let start = *y;
@@ -140,7 +124,7 @@ fn fixed_point<S: System<N>, const N: usize>(
             y[i] -= step[k];
         }
         let moved = of.map(|i| (y[i] - start[i]).abs());
-        if moved.into_iter().any(|m| m.is_nan() || m > nearby) {
+        if moved.into_iter().any(|m| m.is_nan() || m > NEARBY) {
             return None;
         }
         dy = system.rhs(t, &y);
