@@ -94,6 +94,14 @@ impl Flight {
         )
     }
 
+    /// Acceleration after the time `t`.
+    fn acceleration_at(&self, t: f64) -> f64 {
+        self.turning.map_or(0.0, |turning| {
+            let across = self.at(t).1.cross(&turning.up).norm();
+            (self.speed * turning.rate).abs() * across
+        })
+    }
+
     /// Largest acceleration on the way.
     fn acceleration(&self) -> f64 {
         self.turning.map_or(0.0, |t| (self.speed * t.rate).abs())
@@ -176,37 +184,50 @@ impl PairFlight {
     /// Conservative advancement: the distance's second derivative is at least minus the sum `A`
     /// of the accelerations, so the parabola `D + D' t - A t^2/2` bounds the distance from below
     /// and its first root is never past the contact. On straight paths this is Newton's method on
-    /// a convex function.
+    /// a convex function. A pair on curved paths that creeps along at the distance of contact, as
+    /// two that swim upward side by side, is in contact when it closes in in earnest.
     pub(crate) fn contact(&self, contact: f64, duration: f64) -> Option<f64> {
+        /// Closing speed, in `V_s`, below which a pair on curved paths creeps.
+        const CREEPING: f64 = 1e-6;
+        /// Longest advance of a creeping pair, which goes deeper by `CREEPING` times this at most.
+        const LONGEST_CREEP: f64 = 1e-3;
         let acceleration: f64 = self.flights.iter().map(Flight::acceleration).sum();
+        let fastest = (self.flights.iter().map(|f| f.speed.abs())).fold(0.0, f64::max);
+        let creeping = if self.is_straight() {
+            0.0
+        } else {
+            CREEPING * fastest
+        };
         let mut t = 0.0;
-        let (start, rate) = self.distance(0.0);
-        if start <= contact * (1.0 + 4.0 * f64::EPSILON) && rate < 0.0 {
-            return Some(0.0);
-        }
         while t <= duration {
             let (distance, rate) = self.distance(t);
             let left = (distance - contact).max(0.0);
-            if rate < 0.0 && left <= 4.0 * f64::EPSILON * contact {
-                return (!self.grazes(rate)).then_some(t);
-            }
             let root = (rate * rate + 2.0 * acceleration * left).sqrt();
-            let advance = if rate <= 0.0 {
+            let advance = if rate <= 0.0 && left > 0.0 {
                 2.0 * left / (root - rate)
-            } else if acceleration > 0.0 {
+            } else if rate > 0.0 && acceleration > 0.0 {
                 (rate + root) / acceleration
+            } else if rate < 0.0 || acceleration > 0.0 {
+                0.0
             } else {
                 return None;
             };
-            // A grazing pair creeps towards the contact: at this step it has as good as arrived.
+            // A step that no longer changes the time has as good as arrived.
             let least = 1e-13 * (1.0 + t);
-            if advance < least && rate < 0.0 {
-                return (!self.grazes(rate)).then_some(t);
+            let arrived = left <= 4.0 * f64::EPSILON * contact || advance < least;
+            if arrived && rate < -creeping {
+                return (t <= 0.0 || !self.grazes(rate)).then_some(t);
             }
             if !advance.is_finite() {
                 return None;
             }
-            t += advance.max(least);
+            let creep = if arrived {
+                let bend: f64 = self.flights.iter().map(|f| f.acceleration_at(t)).sum();
+                (creeping / bend).min(LONGEST_CREEP)
+            } else {
+                0.0
+            };
+            t += advance.max(least).max(creep);
         }
         None
     }
@@ -299,6 +320,26 @@ mod tests {
         assert_eq!(meet(3.0), None);
         let time = meet(3.0 - 1e-9).unwrap();
         assert_relative_eq!(time, 5.0, epsilon = 1e-4);
+    }
+
+    #[test]
+    fn a_pair_that_swims_upward_side_by_side_at_the_distance_of_contact_does_not_meet() {
+        let squirmer = Squirmer::with_beta(1.0, 0.0)
+            .and_then(|s| s.bottom_heavy(3.0))
+            .unwrap();
+        let flights = [(-1.5, 1e-9), (1.5, 2e-9)].map(|(x, tilt): (f64, f64)| {
+            let p = Vector3::new(tilt.sin(), tilt.cos(), 0.0);
+            Flight::new(&squirmer, Vector3::new(x, 0.0, 0.0), p, Some(Gravity::DOWN))
+        });
+        let start = Configuration {
+            gap: Gap::from_ln(0.0),
+            midpoint: Vector3::zeros(),
+            line: Vector3::x(),
+            orientations: [Vector3::y(); 2],
+            line_angle: 0.0,
+            angles: [0.0; 2],
+        };
+        assert_eq!(PairFlight { start, flights }.contact(3.0, 200.0), None);
     }
 
     #[test]
