@@ -3,5 +3,5 @@
 mod close_csv;
 mod published;
 
-pub use close_csv::{CloseCsv, close};
+pub use close_csv::{CloseCsv, TOLERANCE, close};
 pub use published::{ResistanceRow, two_sphere_resistance};
