@@ -1,5 +1,6 @@
 //! Every comparison with the paper's cases, written as files and as one page.
 
+mod convergence;
 mod cost;
 mod errors;
 mod words;
@@ -44,6 +45,9 @@ pub(crate) fn write(
     if let Some(exact) = models.iter().find(|m| m.method() == Method::Exact) {
         let section = errors::section(&models, exact, planar, sweep, out)?;
         content.sections.push(section);
+    }
+    if methods.contains(&Method::Bem) {
+        content.sections.push(convergence::section(out)?);
     }
     content.sections.push(cost::section(out)?);
     let page = Page {

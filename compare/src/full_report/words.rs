@@ -83,8 +83,8 @@ pub(super) fn encounters(approach: Approach) -> (&'static str, &'static str) {
 /// Caption of the picture in a file.
 pub(super) fn caption(file_name: &str) -> &'static str {
     if file_name.contains("load-errors") {
-        "Error of each load against the exact one. Lubrication theory breaks off at a gap of 1, where \
-         it is cut."
+        "Error of each load against the exact one. Beyond a gap of 1 lubrication theory has the loads \
+         of lone squirmers."
     } else if file_name.contains("trajectories") {
         "Paths of both squirmers (solid: first, dashed: second), with dots at equal times and the \
          spheres, to scale, at closest approach. Lubrication paths are continued by straight flight; \

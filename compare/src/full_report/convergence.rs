@@ -1,0 +1,98 @@
+//! The section on the boundary elements' meshes: error against the exact loads, level by level.
+
+use bem::Bem;
+use exact::Exact;
+use scene::{Gap, Hydrodynamics, PairLoads};
+use serde::Serialize;
+
+use super::MODES;
+use crate::CompareError;
+use crate::output::{OutputFolder, csv_text};
+use crate::report::{Section, Table};
+
+/// Gaps of the table, in radii.
+const GAPS: [f64; 4] = [1.0, 0.1, 0.01, 0.001];
+
+/// Highest level of the table: the next one takes longer than all of these together.
+const HIGHEST: usize = 4;
+
+/// One line of `mesh-errors.csv`.
+#[derive(Clone, Debug, Serialize)]
+struct MeshRow {
+    gap: f64,
+    level: usize,
+    /// Nodes a sphere.
+    nodes: usize,
+    /// Worst over the loads, relative to the larger of the load and 1, of thrusts and 4.
+    worst_error: f64,
+    load: String,
+    /// Power of the node spacing with which the error fell from the level before.
+    order: f64,
+    seconds: f64,
+}
+
+pub(super) fn section(out: &OutputFolder) -> Result<Section, CompareError> {
+    let mut rows: Vec<MeshRow> = Vec::new();
+    for eps in GAPS {
+        let gap = Gap::new(eps)?;
+        let truth = Exact::new().loads(gap, MODES)?;
+        for level in Bem::LEVELS.0..=HIGHEST {
+            let bem = Bem::new(level)?;
+            // A level that does not resolve the gap refuses it.
+            if bem.check(gap).is_ok() {
+                let before = rows.last().filter(|row| row.gap.total_cmp(&eps).is_eq());
+                let row = row(&bem, gap, &truth, before)?;
+                rows.push(row);
+            }
+        }
+    }
+    let csv = csv_text(&rows)?;
+    out.write("mesh-errors.csv", &csv)?;
+    let prose = format!(
+        "Boundary elements against the exact loads, level by level; the default is level {}. A level \
+         that does not resolve a gap refuses it.",
+        Bem::DEFAULT_LEVEL
+    );
+    Ok(Section {
+        id: "meshes".to_owned(),
+        title: "How the boundary elements converge".to_owned(),
+        prose: vec![prose],
+        figures: Vec::new(),
+        tables: vec![Table::from_csv(
+            "Worst error over the 22 loads of modes 1 and 2, nodes a sphere, observed order in the \
+             node spacing, and time for all loads at one gap.",
+            "mesh-errors.csv",
+            &csv,
+        )?],
+    })
+}
+
+fn row(
+    bem: &Bem,
+    gap: Gap,
+    truth: &PairLoads,
+    before: Option<&MeshRow>,
+) -> Result<MeshRow, CompareError> {
+    let solution = bem.solve(gap, MODES)?;
+    let errors = (solution.loads.named().into_iter().zip(truth.named())).map(|(found, exact)| {
+        let thrust = matches!(exact.0.as_str(), "XF1_1" | "YF1_1");
+        let scale = exact.1.abs().max(if thrust { 4.0 } else { 1.0 });
+        (exact.0, (found.1 - exact.1).abs() / scale)
+    });
+    let (load, worst_error) = errors
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .unwrap_or_default();
+    let order = before.map_or(f64::NAN, |before| {
+        let finer = solution.nodes as f64 / before.nodes as f64;
+        2.0 * (before.worst_error / worst_error).ln() / finer.ln()
+    });
+    Ok(MeshRow {
+        gap: gap.eps(),
+        level: bem.level(),
+        nodes: solution.nodes,
+        worst_error,
+        load,
+        order,
+        seconds: solution.seconds.assembly + solution.seconds.solve,
+    })
+}
