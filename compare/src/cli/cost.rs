@@ -2,7 +2,9 @@
 
 use std::time::Instant;
 
+use bem::Bem;
 use clap::Args;
+use scene::Gap;
 
 use super::args::Arguments;
 use super::commands::print_rows;
@@ -16,6 +18,9 @@ use crate::{CompareError, provenance};
 
 /// Angle that is aimed at when nothing is said, in degrees.
 const TARGET: &str = "0.1deg";
+
+/// Gap at which the boundary elements are profiled, in radii.
+const PROFILED_GAP: f64 = 0.01;
 
 #[derive(Debug, Args)]
 pub(crate) struct CostArguments {
@@ -57,6 +62,7 @@ pub(super) fn run(
     lines.extend(scaling_lines(&rows));
     if arguments.profile {
         lines.extend(profile_lines(&rows));
+        lines.extend(bem_profile_lines()?);
     }
     let made = provenance::of(typed, started.elapsed().as_secs_f64());
     lines.extend([
@@ -131,6 +137,32 @@ fn scaling_lines(rows: &[CostRow]) -> Vec<String> {
         .fold(f64::NAN, f64::max);
     lines.push(format!("peak memory: {most:.0} MiB"));
     lines
+}
+
+/// Where the time of a boundary-element solve at a small gap goes, at the default level.
+fn bem_profile_lines() -> Result<Vec<String>, CompareError> {
+    let bem = Bem::new(Bem::DEFAULT_LEVEL)?;
+    let solution = bem.solve(Gap::new(PROFILED_GAP)?, 2)?;
+    let of = format!("bem level {}, gap {PROFILED_GAP}", bem.level());
+    let work = solution.work;
+    let kinds = [
+        ("far", work.far),
+        ("near", work.near),
+        ("touching", work.touching),
+    ];
+    let mut lines: Vec<_> = (kinds.into_iter())
+        .map(|(kind, share)| {
+            let (pairs, seconds) = (share.pairs, share.seconds);
+            format!("{of}: {kind} panels {pairs} integrals, {seconds:.2e} s over all threads")
+        })
+        .collect();
+    let spent = solution.seconds;
+    lines.push(format!("{of}: assembly {:.2e} s", spent.assembly));
+    lines.push(format!(
+        "{of}: factorisation and solve {:.2e} s",
+        spent.solve
+    ));
+    Ok(lines)
 }
 
 fn profile_lines(rows: &[CostRow]) -> Vec<String> {
