@@ -1,20 +1,13 @@
 //! How far the loads are from the limit of infinitely many terms, and what they cost.
 
+mod common;
+
 use std::time::{Duration, Instant};
 
 use exact::Exact;
-use scene::{Gap, Hydrodynamics, PairLoads};
+use scene::Hydrodynamics;
 
-fn at(eps: f64) -> Gap {
-    Gap::new(eps).expect("a positive gap")
-}
-
-fn distance(a: &PairLoads, b: &PairLoads) -> f64 {
-    a.columns()
-        .zip(b.columns())
-        .map(|(a, b)| (a - b).abs() / b.abs().max(1.0))
-        .fold(0.0, f64::max)
-}
+use common::{at, distance};
 
 #[test]
 fn doubling_the_number_of_terms_changes_nothing() {

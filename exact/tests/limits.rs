@@ -1,9 +1,13 @@
 //! What holds at contact, far apart, and for pairs that move as one.
 
+mod common;
+
 use std::sync::LazyLock;
 
 use exact::{Exact, SERIES_FROM, SERIES_TO};
 use scene::{Gap, Hydrodynamics, PairLoads, SceneError};
+
+use common::{at, distance};
 
 /// Constants next to the logarithms at contact, self and other, and the unit of their last digit
 /// (some are cut off, not rounded): by multipole collocation about both centres and extrapolation.
@@ -38,17 +42,6 @@ static EXACT: LazyLock<Exact> = LazyLock::new(|| {
     exact.contact_constants(0).expect("a fit");
     exact
 });
-
-fn at(eps: f64) -> Gap {
-    Gap::new(eps).expect("a positive gap")
-}
-
-fn distance(a: &PairLoads, b: &PairLoads) -> f64 {
-    a.columns()
-        .zip(b.columns())
-        .map(|(a, b)| (a - b).abs() / b.abs().max(1.0))
-        .fold(0.0, f64::max)
-}
 
 #[test]
 fn val_contact_constants_are_those_of_multipole_collocation() {
