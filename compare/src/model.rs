@@ -23,7 +23,7 @@ pub const EXACT_TABLE_TOLERANCE: f64 = 1e-9;
 
 /// Smallest gap of the exact tables: closer, rounding of `1/(4 eps)` would show in what a table
 /// interpolates, and the exact loads have a limiting form of their own.
-const EXACT_TABLE_FROM: f64 = 1e-7;
+pub(crate) const EXACT_TABLE_FROM: f64 = 1e-7;
 
 /// Squirming modes in the tables: all that `beta` calls for.
 const TABLE_MODES: usize = 2;

@@ -1,7 +1,7 @@
 //! The pictures that a command writes, by their file names.
 
 use crate::figures::{self, FigureError};
-use crate::maps::{FateRow, ScatterRow, TrustRow};
+use crate::maps::{FateRow, Pair, ScatterRow, TrustRow, trust_shares};
 use crate::{Approach, CompareError, Encounter, OffsetRow};
 
 /// A picture and the name of its file.
@@ -31,7 +31,7 @@ pub(crate) fn of_offsets(rows: &[OffsetRow]) -> Result<Option<Picture>, CompareE
 }
 
 /// A sweep of which nothing could be run has rows that say so, but no picture.
-fn picture(
+pub(crate) fn picture(
     file_name: String,
     svg: Result<String, FigureError>,
 ) -> Result<Option<Picture>, CompareError> {
@@ -50,10 +50,13 @@ pub(crate) fn of_scatter(rows: &[ScatterRow]) -> Result<Vec<Picture>, CompareErr
     };
     let drawn = rows.chunk_by(same).map(|map| {
         let svg = figures::scatter(map);
-        picture(
-            map_name("scatter", &map[0].method, map[0].beta, map[0].g),
-            svg,
-        )
+        let ScatterRow {
+            ref method,
+            beta,
+            g,
+            ..
+        } = map[0];
+        picture(map_name("scatter", method, Pair { beta, g, dz: 0.0 }), svg)
     });
     drawn.filter_map(Result::transpose).collect()
 }
@@ -64,23 +67,45 @@ pub(crate) fn of_fates(rows: &[FateRow]) -> Result<Vec<Picture>, CompareError> {
     Ok(drawn.into_iter().collect())
 }
 
-/// A picture for each method, beta and bottom-heaviness.
+/// A picture for each method and pair, and one of the shares against the offset for each method and
+/// bottom-heaviness with several offsets.
 pub(crate) fn of_trust(rows: &[TrustRow]) -> Result<Vec<Picture>, CompareError> {
     let drawn = rows.chunk_by(crate::maps::same_map).map(|map| {
         let svg = figures::trust(map);
-        picture(
-            map_name("trust", &map[0].method, map[0].beta, map[0].g),
-            svg,
-        )
+        let TrustRow {
+            ref method,
+            beta,
+            g,
+            dz,
+            ..
+        } = map[0];
+        picture(map_name("trust", method, Pair { beta, g, dz }), svg)
     });
-    drawn.filter_map(Result::transpose).collect()
+    let mut drawn: Vec<Picture> = drawn
+        .filter_map(Result::transpose)
+        .collect::<Result<_, _>>()?;
+    let mut shares = trust_shares(rows);
+    shares.sort_by(|a, b| a.method.cmp(&b.method).then(a.g.total_cmp(&b.g)));
+    for alike in shares.chunk_by(|a, b| a.method == b.method && a.g.total_cmp(&b.g).is_eq()) {
+        let name = format!(
+            "trust-dz-{}{}.svg",
+            alike[0].method,
+            suffix("g", alike[0].g)
+        );
+        drawn.extend(picture(name, figures::trust_against_offset(alike))?);
+    }
+    Ok(drawn)
 }
 
-fn map_name(name: &str, method: &str, beta: f64, g: f64) -> String {
-    let gravity = if g == 0.0 {
+fn map_name(name: &str, method: &str, Pair { beta, g, dz }: Pair) -> String {
+    let (gravity, offset) = (suffix("g", g), suffix("dz", dz));
+    format!("{name}-{method}-beta{beta}{gravity}{offset}.svg")
+}
+
+fn suffix(name: &str, value: f64) -> String {
+    if value == 0.0 {
         String::new()
     } else {
-        format!("-g{g}")
-    };
-    format!("{name}-{method}-beta{beta}{gravity}.svg")
+        format!("-{name}{value}")
+    }
 }

@@ -56,7 +56,12 @@ impl Fit {
     pub fn combine(&self, functions: &[f64], modes: usize) -> PairLoads {
         // On the stack: a trajectory's step may ask for this.
         let mut columns = [0.0; PairLoads::column_count(MAX_MODES)];
-        for (column, factors) in columns.iter_mut().zip(self.factors.column_iter()) {
+        let asked = PairLoads::column_count(modes);
+        for (column, factors) in columns
+            .iter_mut()
+            .zip(self.factors.column_iter())
+            .take(asked)
+        {
             *column = functions
                 .iter()
                 .zip(factors.iter())
@@ -124,7 +129,9 @@ pub fn relative_distance(a: &PairLoads, b: &PairLoads) -> f64 {
 /// `a + b`, load by load.
 pub fn sum(a: &PairLoads, b: &PairLoads, modes: usize) -> PairLoads {
     let mut columns = [0.0; PairLoads::column_count(MAX_MODES)];
-    for (column, (a, b)) in columns.iter_mut().zip(a.columns().zip(b.columns())) {
+    let asked = PairLoads::column_count(modes);
+    let both = a.columns().zip(b.columns());
+    for (column, (a, b)) in columns.iter_mut().zip(both).take(asked) {
         *column = a + b;
     }
     PairLoads::from_columns(modes, &columns)

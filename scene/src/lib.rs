@@ -28,7 +28,9 @@ pub use gap::Gap;
 pub use hydrodynamics::{GapRange, Hydrodynamics};
 pub use legendre::{Legendre, legendre};
 pub use loads::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
-pub use motion::{Configuration, Counters, Outcome, Run, RunOptions, Sample, run};
+pub use motion::{
+    BoundState, Configuration, Counters, Outcome, Run, RunOptions, Sample, bound_states, run,
+};
 pub use scene::{Orientation, Pose, Scene};
 pub use squirmer::Squirmer;
 pub use tabulated::{FAR_GAP, TableLimit, TableOptions, TableSummary, Tabulated};

@@ -26,7 +26,11 @@ fn shares(beta: f64) -> FateRow {
         run: options(),
         time_limit: None,
     };
-    let pair = Pair { beta, g: 0.0 };
+    let pair = Pair {
+        beta,
+        g: 0.0,
+        dz: 0.0,
+    };
     let grid = Grid::new(60).unwrap();
     let rows = fates(&[lubrication()], &[pair], grid, &sweep, &out);
     rows.unwrap().unwrap().remove(0)
@@ -34,7 +38,11 @@ fn shares(beta: f64) -> FateRow {
 
 /// One neutral pair under lubrication theory.
 fn neutral(delta: f64, sigma: f64) -> ScatterRow {
-    let pair = Pair { beta: 0.0, g: 0.0 };
+    let pair = Pair {
+        beta: 0.0,
+        g: 0.0,
+        dz: 0.0,
+    };
     scatter_row(&lubrication(), pair, (delta, sigma), &options())
 }
 

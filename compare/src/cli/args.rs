@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 use super::cost::CostArguments;
-use super::maps::MapArguments;
+use super::maps::{self, MapArguments, TrustArguments};
 use crate::Method;
 use crate::numbers::{Numbers, parse_numbers};
 
@@ -68,13 +68,19 @@ pub(crate) enum Command {
     Cost(CostArguments),
     /// Maps over the incoming angles (Figs 2-4): deflections, interaction time tau, outcome
     #[command(after_help = "Example:\n  squirmers scatter --beta 5 --grid 100 --g 0")]
+    #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
+    #[command(mut_arg("time_limit", maps::time_limit))]
     Scatter(MapArguments),
     /// Share of each outcome against beta (Fig. 5a) and bottom-heaviness (Fig. 8g)
     #[command(after_help = "Example:\n  squirmers fates --beta -10:10:1 --g 0 --method lt")]
+    #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
+    #[command(mut_arg("time_limit", maps::time_limit))]
     Fates(MapArguments),
     /// Where over the incoming angles lubrication theory and exact hydrodynamics part
     #[command(after_help = "Example:\n  squirmers trust --beta 5 --grid 100")]
-    Trust(MapArguments),
+    #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
+    #[command(mut_arg("time_limit", maps::time_limit))]
+    Trust(TrustArguments),
     /// All of it, with the paper's cases, into one self-contained index.html
     #[command(after_help = "Example:\n  squirmers report --out out && xdg-open out/index.html")]
     Report {

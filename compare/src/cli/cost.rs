@@ -9,7 +9,7 @@ use scene::Gap;
 use super::args::Arguments;
 use super::commands::print_rows;
 use crate::cost::{
-    self, CostOptions, CostRow, Part, Recommendation, break_even, exponent, parse_target, recommend,
+    self, CostOptions, CostRow, Finding, Part, Recommendation, findings, parse_target, recommend,
 };
 use crate::figures::{deflections_work_precision, loads_work_precision};
 use crate::output::{OutputFolder, csv_text};
@@ -58,8 +58,11 @@ pub(super) fn run(
     let recommended = recommend(&rows, target);
     out.write("cost-target.csv", &csv_text(&recommended)?)?;
     print_recommendations(&recommended);
-    let mut lines = break_even_lines(&rows);
-    lines.extend(scaling_lines(&rows));
+    let found = findings(&rows);
+    out.write("cost-findings.csv", &csv_text(&found)?)?;
+    println!();
+    print_findings(&found);
+    let mut lines = Vec::new();
     if arguments.profile {
         lines.extend(profile_lines(&rows));
         lines.extend(bem_profile_lines()?);
@@ -105,38 +108,19 @@ fn print_recommendations(recommended: &[Recommendation]) {
     );
 }
 
-fn break_even_lines(rows: &[CostRow]) -> Vec<String> {
-    (break_even(rows).into_iter())
-        .map(|(model, trajectories)| {
-            format!("{model}: the table has paid for itself after {trajectories:.2} trajectories")
-        })
-        .collect()
-}
-
-fn scaling_lines(rows: &[CostRow]) -> Vec<String> {
-    let mut lines: Vec<String> = ["bem-assembly", "bem-factorisation"]
-        .map(|model| {
-            let power = exponent(rows, model);
-            format!("{model}: time goes as unknowns to the power {power:.2}")
-        })
-        .into();
-    let sweeps = |threads: &'static str| {
-        (rows.iter()).filter(move |r| r.model == "exact-table-sweep" && r.gap_or_case == threads)
-    };
-    for (one, two) in sweeps("1 thread").zip(sweeps("2 threads")) {
-        lines.push(format!(
-            "sweep of {} trajectories: {:.2e} s by one thread, {:.2} times as fast by two",
-            one.value,
-            one.seconds,
-            one.seconds / two.seconds
-        ));
-    }
-    let most = rows
-        .iter()
-        .map(|r| r.peak_memory_mib)
-        .fold(f64::NAN, f64::max);
-    lines.push(format!("peak memory: {most:.0} MiB"));
-    lines
+fn print_findings(findings: &[Finding]) {
+    let header = ["finding", "of", "value", "unit"];
+    print_rows(
+        &header,
+        findings.iter().map(|found| {
+            let value = match found.value.abs() {
+                v if !(1e-2..1e4).contains(&v) => format!("{:.1e}", found.value),
+                _ => format!("{:.2}", found.value),
+            };
+            let unit = found.unit.to_owned();
+            vec![found.finding.clone(), found.of.clone(), value, unit]
+        }),
+    );
 }
 
 /// Where the time of a boundary-element solve at a small gap goes, at the default level.

@@ -1,10 +1,10 @@
 //! The commands that map the plane of initial directions.
 
-use clap::Args;
+use clap::{Arg, Args};
 
-use super::args::{Arguments, ModelArguments};
+use super::args::{Arguments, ModelArguments, RunArguments};
 use super::commands::{model_options, print_rows, set_up, sweep_options};
-use crate::maps::{self, FateRow, Grid, Pair, ScatterRow, TrustRow, TrustShares};
+use crate::maps::{self, BoundExample, FateRow, Grid, Pair, ScatterRow, TrustRow, TrustShares};
 use crate::numbers::{Numbers, parse_numbers};
 use crate::output::{OutputFolder, csv_text};
 use crate::sweep::SweepOptions;
@@ -31,20 +31,36 @@ pub(crate) struct MapArguments {
         allow_hyphen_values = true
     )]
     pub grid: usize,
-    /// Methods: lt (as published), lt-corrected, exact, bem [default: lt,exact]
     #[command(flatten)]
     pub models: ModelArguments,
-    /// Tolerance of a trajectory's steps
-    #[arg(
-        long,
-        value_name = "TOL",
-        default_value_t = 1e-7,
-        allow_hyphen_values = true
-    )]
-    pub tol: f64,
-    /// Begin no further line of a map after this time; the same command goes on later
-    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
-    pub time_limit: Option<f64>,
+    #[command(flatten)]
+    pub runs: RunArguments,
+}
+
+/// The argument `--method` of a map.
+pub(super) fn methods(arg: Arg) -> Arg {
+    arg.help("Methods: lt (as published), lt-corrected, exact, bem [default: lt,exact]")
+}
+
+/// The argument `--tol` of a map.
+pub(super) fn tolerance(arg: Arg) -> Arg {
+    arg.default_value("1e-7")
+}
+
+/// The argument `--time-limit` of a map.
+pub(super) fn time_limit(arg: Arg) -> Arg {
+    arg.help("Begin no further line of a map after this time; the same command goes on later")
+}
+
+/// Arguments of `trust`.
+#[derive(Debug, Args)]
+pub(crate) struct TrustArguments {
+    #[command(flatten)]
+    map: MapArguments,
+    /// Offsets out of the plane, in radii: the first squirmer starts raised by dz/2, the second lowered
+    /// [default: 0]
+    #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
+    dz: Option<Numbers>,
 }
 
 /// What a map's command runs, checked.
@@ -56,21 +72,32 @@ struct Checked {
     out: OutputFolder,
 }
 
+impl Checked {
+    fn models(&self) -> Vec<&Model> {
+        self.models.iter().collect()
+    }
+}
+
 fn checked(
     arguments: &MapArguments,
     beta: &[f64],
+    dz: &Option<Numbers>,
     general: &Arguments,
 ) -> Result<Checked, CompareError> {
     let (methods, options) = model_options(&arguments.models, &METHODS, general)?;
-    let sweep = sweep_options(arguments.tol, arguments.time_limit)?;
+    let sweep = sweep_options(arguments.runs.tol, arguments.runs.time_limit)?;
     let grid = Grid::new(arguments.grid)?;
     let list = |given: &Option<Numbers>, default: &[f64]| {
         (given.as_ref()).map_or(default.to_vec(), |list| list.0.clone())
     };
     let g = list(&arguments.g, &[0.0]);
-    let pairs: Vec<_> = (list(&arguments.beta, beta).into_iter())
-        .flat_map(|beta| g.iter().map(move |&g| Pair { beta, g }))
-        .collect();
+    let dz = list(dz, &[0.0]);
+    let mut pairs = Vec::new();
+    for beta in list(&arguments.beta, beta) {
+        for &g in &g {
+            pairs.extend(dz.iter().map(|&dz| Pair { beta, g, dz }));
+        }
+    }
     let out = OutputFolder::open(&general.out)?;
     Ok(Checked {
         models: set_up(&methods, &options)?,
@@ -85,8 +112,8 @@ fn checked(
 pub(crate) const SCATTER_BETA: [f64; 5] = [0.0, 1.0, 5.0, -1.0, -5.0];
 
 pub(super) fn scatter(arguments: &MapArguments, general: &Arguments) -> Result<(), CompareError> {
-    let run = checked(arguments, &SCATTER_BETA, general)?;
-    let rows = maps::scatter(&run.models, &run.pairs, run.grid, &run.sweep, &run.out)?;
+    let run = checked(arguments, &SCATTER_BETA, &None, general)?;
+    let rows = maps::scatter(&run.models(), &run.pairs, run.grid, &run.sweep, &run.out)?;
     let Some(rows) = rows else {
         return Ok(());
     };
@@ -109,8 +136,8 @@ fn fates_of(rows: &[ScatterRow], run: &Checked) -> Vec<FateRow> {
 
 pub(super) fn fates(arguments: &MapArguments, general: &Arguments) -> Result<(), CompareError> {
     let beta: Vec<f64> = (-10..=10).map(f64::from).collect();
-    let run = checked(arguments, &beta, general)?;
-    let rows = maps::fates(&run.models, &run.pairs, run.grid, &run.sweep, &run.out)?;
+    let run = checked(arguments, &beta, &None, general)?;
+    let rows = maps::fates(&run.models(), &run.pairs, run.grid, &run.sweep, &run.out)?;
     let Some(rows) = rows else {
         return Ok(());
     };
@@ -122,8 +149,8 @@ pub(super) fn fates(arguments: &MapArguments, general: &Arguments) -> Result<(),
     Ok(())
 }
 
-pub(super) fn trust(arguments: &MapArguments, general: &Arguments) -> Result<(), CompareError> {
-    let mut run = checked(arguments, &SCATTER_BETA, general)?;
+pub(super) fn trust(arguments: &TrustArguments, general: &Arguments) -> Result<(), CompareError> {
+    let mut run = checked(&arguments.map, &SCATTER_BETA, &arguments.dz, general)?;
     let exact = run.models.iter().position(|m| m.method() == Method::Exact);
     let Some(exact) = exact else {
         let allowed = "name exact, and what it is to judge, such as lt,exact";
@@ -134,15 +161,58 @@ pub(super) fn trust(arguments: &MapArguments, general: &Arguments) -> Result<(),
         let allowed = "name a method that it is to judge too, such as lt,exact";
         return Err(CompareError::input("--method", "exact", allowed));
     }
-    let Checked { models, pairs, .. } = &run;
-    let rows = maps::trust(models, &exact, pairs, run.grid, &run.sweep, &run.out)?;
+    let (judged, pairs) = (run.models(), &run.pairs);
+    let rows = maps::trust(&judged, &exact, pairs, run.grid, &run.sweep, &run.out)?;
     let Some(rows) = rows else {
         return Ok(());
     };
     run.out.write("trust.csv", &csv_text(&rows)?)?;
     write_trust_pictures(&rows, &run.out)?;
     print_trust(&maps::trust_shares(&rows));
+    let all: Vec<&Model> = judged.iter().copied().chain([&exact]).collect();
+    let mut betas: Vec<f64> = pairs.iter().map(|pair| pair.beta).collect();
+    betas.dedup();
+    let states = maps::bound_rows(&all, &betas)?;
+    run.out.write("bound_states.csv", &csv_text(&states)?)?;
+    let in_plane: Vec<TrustRow> = (rows.into_iter())
+        .filter(|row| row.g == 0.0 && row.dz == 0.0)
+        .collect();
+    let examples = maps::bound_examples(&in_plane, &states);
+    run.out.write("trust_examples.csv", &csv_text(&examples)?)?;
+    println!();
+    print_examples(&examples);
     Ok(())
+}
+
+/// Which bound states one model has and the other has not.
+fn print_examples(examples: &[BoundExample]) {
+    let header = [
+        "judged",
+        "beta",
+        "its outcome",
+        "exact",
+        "%",
+        "Delta",
+        "Sigma",
+        "the other has it",
+        "gap",
+        "growth",
+    ];
+    let line = |row: &BoundExample| {
+        vec![
+            row.method.clone(),
+            row.beta.to_string(),
+            row.outcome_lt.clone(),
+            row.outcome_exact.clone(),
+            percent(row.share),
+            format!("{:.3}", row.delta),
+            format!("{:.3}", row.sigma),
+            row.state.to_owned(),
+            format!("{:.4}", row.gap),
+            format!("{:.3}", row.growth),
+        ]
+    };
+    print_rows(&header, examples.iter().map(line));
 }
 
 fn write_trust_pictures(rows: &[TrustRow], out: &OutputFolder) -> Result<(), CompareError> {
@@ -194,19 +264,13 @@ fn print_fates(rows: &[FateRow]) {
 }
 
 fn print_trust(shares: &[TrustShares]) {
-    let mut header = vec!["%", "beta", "g"];
+    let mut header = vec!["%", "beta", "g", "dz"];
     header.extend(maps::TRUST_CLASSES);
     let line = |row: &TrustShares| {
-        let shares = [
-            row.within_5_deg,
-            row.within_15_deg,
-            row.within_45_deg,
-            row.beyond_45_deg,
-            row.same_outcome,
-            row.other_outcome,
-        ];
-        let mut line = vec![row.method.clone(), row.beta.to_string(), row.g.to_string()];
-        line.extend(shares.map(percent));
+        let numbers = [row.beta, row.g, row.dz].map(|number| number.to_string());
+        let mut line = vec![row.method.clone()];
+        line.extend(numbers);
+        line.extend(row.in_order().map(percent));
         line
     };
     print_rows(&header, shares.iter().map(line));

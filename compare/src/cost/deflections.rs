@@ -4,7 +4,8 @@
 //! The referee is the exact series read from a table at their own noise, with a much tighter stepper.
 //! A model's trajectory with that stepper tells the two parts of its error: how far the tight
 //! trajectory is from the referee's is the model's, how far the loose one is from the tight one the
-//! integration's.
+//! integration's. Where every load is solved for, the tight trajectory is that of the same model's
+//! table, which is its loads to [`BEM_TABLE_TOLERANCE`](crate::BEM_TABLE_TOLERANCE) or better.
 
 use std::time::Instant;
 
@@ -21,8 +22,9 @@ use crate::{Approach, Case, CompareError, Defaults, Method};
 /// Tolerances of the stepper.
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
-/// The same where every load is solved for.
-const DIRECT_TOLERANCES: [f64; 2] = [1e-3, 1e-6];
+/// The same where every load is solved for by the series, and by boundary elements.
+const SERIES_TOLERANCES: &[f64] = &[1e-4, 1e-6];
+const BEM_TOLERANCES: &[f64] = &[1e-4];
 
 /// The referee's tolerance of the stepper.
 const REFEREE: f64 = 1e-13;
@@ -76,6 +78,7 @@ pub(super) fn measure(
     for case in &cases {
         let scene = case.scene()?;
         let reference = run(&scene, tables.referee(), &at(REFEREE))?;
+        let mut tightest = Vec::new();
         for entrant in &entrants {
             let tight = (entrant.run)(&scene, REFEREE);
             for tolerance in TOLERANCES {
@@ -86,54 +89,102 @@ pub(super) fn measure(
                 fill(&mut row, timing.seconds, &found, &tight, &reference);
                 rows.push(row);
             }
+            tightest.push((entrant.name.clone(), tight));
         }
-        references.push((*case, scene, reference));
+        references.push(Reference {
+            case: *case,
+            scene,
+            run: reference,
+            tightest,
+        });
     }
+    // The typical case first: time may be up before the last.
+    references.sort_by_key(|reference| !is_typical(&reference.case));
     direct(options, tables, &references, rows)
 }
 
-/// Trajectories in which every load is solved for. One that may be expected to take longer than
-/// allowed, by the time of a solve and the loads that a tabulated trajectory takes, is left out,
-/// with NaN.
+/// What the trajectories of a case are measured against.
+struct Reference {
+    case: Case,
+    scene: Scene,
+    /// The referee's.
+    run: Run,
+    /// The tightest of each model with a table, by its name.
+    tightest: Vec<(String, Result<Run, SceneError>)>,
+}
+
+impl Reference {
+    /// The tightest trajectory of the table of `model`.
+    fn tightest(&self, model: &str) -> Result<Run, SceneError> {
+        let name = format!("{model}-table");
+        let found = self.tightest.iter().find(|(of, _)| *of == name);
+        found.map_or(Err(UNKNOWN), |(_, run)| run.clone())
+    }
+}
+
+/// What stands for a trajectory that was not computed.
+const UNKNOWN: SceneError = SceneError::NotFinite {
+    what: "tight trajectory of a model without a table",
+    value: f64::NAN,
+};
+
+/// A model whose every load is solved for.
+struct Direct<'a> {
+    entrant: Entrant<'a>,
+    tolerances: &'static [f64],
+    /// Whether it runs in every case, or in the typical one alone.
+    everywhere: bool,
+}
+
+/// Trajectories in which every load is solved for. One that may be expected, by the time of a solve
+/// and the loads that a tabulated trajectory takes, to end after the time allowed for all is left
+/// out, with NaN.
 fn direct(
     options: &CostOptions,
     tables: &Tables,
-    references: &[(Case, Scene, Run)],
+    references: &[Reference],
     rows: &mut Vec<CostRow>,
 ) -> Result<(), CompareError> {
     let exact = Exact::new();
-    let coarse = Bem::new(1)?;
-    let usual = Bem::new(Bem::DEFAULT_LEVEL)?;
-    let entrants = [
-        Entrant::new("exact", seconds_of_solve(&exact)?, &exact),
-        Entrant::new("bem-1", seconds_of_solve(&coarse)?, &coarse),
-        Entrant::new(
-            format!("bem-{}", usual.level()),
-            seconds_of_solve(&usual)?,
-            &usual,
-        ),
-    ];
-    for (case, scene, reference) in references {
-        // Why there are tables is shown by one case.
-        if !is_typical(case) {
-            continue;
-        }
-        for entrant in &entrants {
-            for tolerance in DIRECT_TOLERANCES {
-                let alike = run(scene, tables.referee(), &at(tolerance))?;
+    let levels = (tables.usual_bem())
+        .map(|built| Bem::new(built.table.model().level()))
+        .collect::<Result<Vec<_>, _>>()?;
+    let mut models = vec![Direct {
+        entrant: Entrant::new("exact", seconds_of_solve(&exact)?, &exact),
+        tolerances: SERIES_TOLERANCES,
+        everywhere: true,
+    }];
+    for bem in &levels {
+        let name = format!("bem-{}", bem.level());
+        models.push(Direct {
+            entrant: Entrant::new(name, seconds_of_solve(bem)?, bem),
+            tolerances: BEM_TOLERANCES,
+            everywhere: bem.level() == COARSE_LEVEL,
+        });
+    }
+    let started = Instant::now();
+    for reference in references {
+        for Direct {
+            entrant,
+            tolerances,
+            everywhere,
+        } in &models
+        {
+            if !(*everywhere || is_typical(&reference.case)) {
+                continue;
+            }
+            let tight = reference.tightest(&entrant.name);
+            for &tolerance in *tolerances {
+                let alike = run(&reference.scene, tables.referee(), &at(tolerance))?;
                 let expected = entrant.set_up_seconds * alike.counters.loads as f64;
-                let mut row = row(&entrant.name, tolerance, case);
+                let mut row = row(&entrant.name, tolerance, &reference.case);
                 row.set_up_seconds = 0.0;
-                if expected <= options.direct_limit() {
-                    let started = Instant::now();
-                    let found = (entrant.run)(scene, tolerance);
-                    let seconds = started.elapsed().as_secs_f64();
-                    let unknown = Err(SceneError::NotFinite {
-                        what: "tight trajectory without a table",
-                        value: f64::NAN,
-                    });
+                if started.elapsed().as_secs_f64() + expected <= options.direct_limit() {
+                    let began = Instant::now();
+                    let found = (entrant.run)(&reference.scene, tolerance);
+                    let seconds = began.elapsed().as_secs_f64();
                     row.repeats = 1;
-                    fill(&mut row, seconds, &found, &unknown, reference);
+                    fill(&mut row, seconds, &found, &tight, &reference.run);
                 }
                 rows.push(row);
             }
@@ -141,6 +192,10 @@ fn direct(
     }
     Ok(())
 }
+
+/// Refinement level of the boundary elements that solve every case without a table; its loads are
+/// good to about 1e-3.
+pub(super) const COARSE_LEVEL: usize = 1;
 
 /// Seconds of one solve where collisions go.
 fn seconds_of_solve<M: Hydrodynamics>(model: &M) -> Result<f64, SceneError> {

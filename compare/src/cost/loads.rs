@@ -17,7 +17,7 @@ const GAPS: [f64; 4] = [1.0, 0.1, 0.01, 0.001];
 const TERMS: [f64; 5] = [0.25, 0.35, 0.5, 0.7, 1.0];
 
 /// The referee's factor of the number of terms.
-const REFEREE_TERMS: f64 = 1.5;
+pub(super) const REFEREE_TERMS: f64 = 1.5;
 
 pub(super) fn measure(
     options: &CostOptions,

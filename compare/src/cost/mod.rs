@@ -5,7 +5,9 @@
 //! what failed is a row of NaN.
 
 mod deflections;
+mod findings;
 mod loads;
+mod profile;
 mod recommend;
 mod row;
 mod scaling;
@@ -14,10 +16,10 @@ mod timing;
 
 use crate::CompareError;
 
+pub use findings::{Finding, findings};
 pub(crate) use recommend::parse_target;
 pub use recommend::{Recommendation, recommend};
 pub use row::{CostRow, Part, read};
-pub use scaling::{break_even, exponent};
 
 use tables::Tables;
 
@@ -39,9 +41,9 @@ impl CostOptions {
         if self.quick { &[1] } else { &[1, 2, 3] }
     }
 
-    /// Seconds that one run without a table may be expected to take; a dearer one is left out.
+    /// Seconds that all runs without a table may take together; what would take longer is left out.
     fn direct_limit(&self) -> f64 {
-        if self.quick { 2.0 } else { 60.0 }
+        if self.quick { 10.0 } else { 300.0 }
     }
 }
 
@@ -63,7 +65,8 @@ pub fn measure(options: &CostOptions, done: &dyn Fn()) -> Result<Vec<CostRow>, C
     done();
     deflections::measure(options, &tables, &mut rows)?;
     done();
-    scaling::right_hand_sides(&tables, &mut rows)?;
+    profile::right_hand_sides(&tables, &mut rows)?;
+    profile::velocities(&tables, &mut rows)?;
     scaling::sweeps(options, &tables, &mut rows)?;
     done();
     Ok(rows)

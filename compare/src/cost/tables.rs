@@ -7,10 +7,11 @@ use exact::Exact;
 use scene::{Hydrodynamics, TableOptions, Tabulated};
 
 use super::{CostOptions, MODES};
+use crate::model::EXACT_TABLE_FROM;
 use crate::progress::Progress;
 use crate::{BEM_TABLE_TOLERANCE, CompareError, EXACT_TABLE_TOLERANCE};
 
-/// Smallest gap of the tables: below what repulsion lets the paper's pairs reach. At much smaller gaps
+/// Smallest gap of the tables that only this measurement reads: below what repulsion lets the paper's pairs reach. At much smaller gaps
 /// the series' own noise is above the referee's tolerance, and its table would never be done.
 const SMALLEST_GAP: f64 = 5e-4;
 
@@ -37,7 +38,16 @@ pub(super) struct Tables {
 
 impl Tables {
     pub(super) fn build(options: &CostOptions) -> Result<Self, CompareError> {
-        let exact = EXACT_TOLERANCES.map(|tolerance| build(Exact::new(), tolerance));
+        let exact = EXACT_TOLERANCES.map(|tolerance| {
+            // The usual one is that of the commands.
+            let usual = tolerance.total_cmp(&EXACT_TABLE_TOLERANCE).is_eq();
+            let from = if usual {
+                EXACT_TABLE_FROM
+            } else {
+                SMALLEST_GAP
+            };
+            build(Exact::new(), tolerance, from)
+        });
         let mut bem = Vec::new();
         for (number, &level) in options.table_levels().iter().enumerate() {
             let from = if number == 0 && !options.quick {
@@ -46,7 +56,7 @@ impl Tables {
                 BEM_TOLERANCES.len() - 1
             };
             for &tolerance in &BEM_TOLERANCES[from..] {
-                bem.push(build(Bem::new(level)?, tolerance)?);
+                bem.push(build(Bem::new(level)?, tolerance, SMALLEST_GAP)?);
             }
         }
         Ok(Self {
@@ -71,12 +81,16 @@ impl Tables {
     }
 }
 
-fn build<M: Hydrodynamics>(model: M, tolerance: f64) -> Result<Built<M>, CompareError> {
+fn build<M: Hydrodynamics>(
+    model: M,
+    tolerance: f64,
+    smallest_gap: f64,
+) -> Result<Built<M>, CompareError> {
     let started = Instant::now();
     let options = TableOptions {
         modes: MODES,
         tolerance,
-        smallest_gap: SMALLEST_GAP,
+        smallest_gap,
     };
     let progress = Progress::counting("tables: gaps solved");
     let table = Tabulated::build(model, options, &|done| progress.set(done))?;

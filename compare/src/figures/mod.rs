@@ -28,7 +28,7 @@ pub use load_errors::load_errors;
 pub use map::scatter;
 pub use offset::offset;
 pub use trajectories::{TICK_INTERVAL, trajectories};
-pub use trust::trust;
+pub use trust::{trust, trust_against_offset};
 pub use work_precision::{deflections_work_precision, loads_work_precision};
 
 /// Why there is no picture.

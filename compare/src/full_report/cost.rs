@@ -27,11 +27,14 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CompareError> {
     let rows = cost::read(&csv)?;
     section.prose.push(
         "Error against the exact answer over wall-clock time, the minimum of repeated runs after a \
-         warm-up. Measured by `squirmers cost`, which said:"
+         warm-up."
             .to_owned(),
     );
     let said = out.read("cost.txt").unwrap_or_default();
-    section.prose.extend(said.lines().map(str::to_owned));
+    let measured: Vec<&str> = said.lines().collect();
+    section
+        .prose
+        .push(format!("Measured apart: {}.", measured.join("; ")));
     section.figures = vec![
         Figure {
             svg: loads_work_precision(&rows)?,
@@ -53,6 +56,11 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CompareError> {
          at all, and for one trajectory alone; the linked file has every row measured."
     );
     let recommended = cost::recommend(&rows, TARGET_DEG);
+    section.tables.push(Table::from_rows(
+        "What the measurements come to.",
+        "cost-findings.csv",
+        &cost::findings(&rows),
+    )?);
     section.tables.push(Table {
         csv,
         ..Table::from_rows(&caption, "cost.csv", &recommended)?

@@ -3,6 +3,7 @@
 mod convergence;
 mod cost;
 mod errors;
+mod maps;
 mod words;
 
 use std::path::PathBuf;
@@ -49,6 +50,9 @@ pub(crate) fn write(
     if methods.contains(&Method::Bem) {
         content.sections.push(convergence::section(out)?);
     }
+    content
+        .sections
+        .extend(maps::sections(&models, sweep, out)?);
     content.sections.push(cost::section(out)?);
     let page = Page {
         title: "Two squirmers collide: lubrication theory against full hydrodynamics".to_owned(),

@@ -89,6 +89,15 @@ pub(super) fn caption(file_name: &str) -> &'static str {
         "Paths of both squirmers (solid: first, dashed: second), with dots at equal times and the \
          spheres, to scale, at closest approach. Lubrication paths are continued by straight flight; \
          the others end where the two, receding, are 12 apart."
+    } else if file_name.contains("scatter") {
+        "Deflections (of a bound pair: change of orientation up to the end of the run), time spent at gaps \
+         up to 1, and outcome."
+    } else if file_name.contains("fates") {
+        "Share of each outcome."
+    } else if file_name.contains("trust-dz") {
+        "Shares of the incoming angles by how far lubrication theory is from exact hydrodynamics."
+    } else if file_name.contains("trust") {
+        "Difference of lubrication theory from exact hydrodynamics."
     } else if file_name.contains("deflection") {
         "Deflection of the squirmers against the offset of their paths."
     } else {

@@ -87,7 +87,7 @@ impl Counts {
 /// # Errors
 /// [`CompareError::Write`] if rows cannot be kept.
 pub fn fates(
-    models: &[Model],
+    models: &[&Model],
     pairs: &[Pair],
     grid: Grid,
     sweep: &SweepOptions,

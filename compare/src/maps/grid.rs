@@ -63,6 +63,8 @@ pub struct Pair {
     pub beta: f64,
     /// Bottom-heaviness `G_bh`; gravity acts along `-y`.
     pub g: f64,
+    /// Offset out of the plane, in radii: the first starts raised by half of it, the second lowered.
+    pub dz: f64,
 }
 
 impl Pair {
@@ -72,13 +74,13 @@ impl Pair {
     /// [`SceneError`] for numbers that are not finite.
     pub fn scene(&self, delta: f64, sigma: f64) -> Result<Scene, SceneError> {
         let squirmer = Squirmer::with_beta(1.0, self.beta)?.bottom_heavy(self.g)?;
-        let pose = |x: f64, angle: f64| Pose {
-            position: [x, 0.0, 0.0].into(),
+        let pose = |side: f64, angle: f64| Pose {
+            position: [side * HALF_DISTANCE, 0.0, -side * 0.5 * self.dz].into(),
             orientation: Orientation::Angle(angle),
         };
         let start = [
-            pose(-HALF_DISTANCE, FRAC_PI_2 * (sigma - delta)),
-            pose(HALF_DISTANCE, FRAC_PI_2 * (sigma + delta)),
+            pose(-1.0, FRAC_PI_2 * (sigma - delta)),
+            pose(1.0, FRAC_PI_2 * (sigma + delta)),
         ];
         let gravity = (self.g != 0.0).then_some(Gravity::DOWN);
         Scene::new([squirmer; 2], start, Some(Repulsion::PAPER), gravity)

@@ -1,6 +1,7 @@
 //! Maps over the plane of initial directions: what becomes of the pair, how often, and where
 //! lubrication theory can be trusted.
 
+mod bound;
 mod fates;
 mod grid;
 mod resume;
@@ -18,16 +19,17 @@ use crate::sweep::SweepOptions;
 use crate::{CompareError, Model};
 use resume::Journal;
 
+pub use bound::{BoundExample, BoundRow, bound_examples, bound_rows};
 pub use fates::{FateRow, fate_of, fates};
 pub use grid::{Grid, Pair};
 pub use scatter::{ScatterRow, scatter, scatter_row};
 pub(crate) use trust::{CLASSES as TRUST_CLASSES, same_map};
-pub use trust::{TrustRow, TrustShares, trust, trust_shares};
+pub use trust::{TrustRow, TrustShares, trust, trust_rows, trust_shares};
 
 /// A sweep over models, pairs and the lines of a grid, each line a chunk.
 struct Sweep<'a> {
     name: &'static str,
-    models: &'a [Model],
+    models: &'a [&'a Model],
     pairs: &'a [Pair],
     grid: Grid,
     run: RunOptions,
@@ -37,7 +39,7 @@ struct Sweep<'a> {
 impl<'a> Sweep<'a> {
     fn new(
         name: &'static str,
-        models: &'a [Model],
+        models: &'a [&'a Model],
         pairs: &'a [Pair],
         grid: Grid,
         options: &SweepOptions,
@@ -61,10 +63,10 @@ impl<'a> Sweep<'a> {
             .map(|model| format!("{} ({})", model.method(), model.fingerprint()))
             .collect();
         let pairs: Vec<_> = (self.pairs.iter())
-            .map(|pair| format!("{:?}/{:?}", pair.beta, pair.g))
+            .map(|pair| format!("{:?}/{:?}/{:?}", pair.beta, pair.g, pair.dz))
             .collect();
         format!(
-            "squirmers {} {}: {}; beta/g {}; grid {}; tolerance {:?}; end {:?}",
+            "squirmers {} {}: {}; beta/g/dz {}; grid {}; tolerance {:?}; end {:?}",
             env!("CARGO_PKG_VERSION"),
             self.name,
             models.join(", "),
@@ -88,7 +90,7 @@ impl<'a> Sweep<'a> {
         let journal = Journal::open(out, self.name, &self.key())?;
         let lines = journal.run(chunks, "lines of the map", self.time_limit, |chunk| {
             let (map, line) = (chunk / sigmas.len(), chunk % sigmas.len());
-            let model = &self.models[map / self.pairs.len()];
+            let model = self.models[map / self.pairs.len()];
             let pair = self.pairs[map % self.pairs.len()];
             compute(model, pair, sigmas[line], &self.run)
         })?;

@@ -83,7 +83,7 @@ pub(super) fn line(
 /// # Errors
 /// [`CompareError::Write`] if rows cannot be kept.
 pub fn scatter(
-    models: &[Model],
+    models: &[&Model],
     pairs: &[Pair],
     grid: Grid,
     sweep: &SweepOptions,

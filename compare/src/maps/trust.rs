@@ -32,10 +32,12 @@ pub struct TrustRow {
     pub method: String,
     /// Bottom-heaviness.
     pub g: f64,
+    /// Offset out of the plane, in radii.
+    pub dz: f64,
 }
 
 impl TrustRow {
-    fn of(judged: &ScatterRow, exact: &ScatterRow) -> Self {
+    fn of(judged: &ScatterRow, exact: &ScatterRow, pair: Pair) -> Self {
         Self {
             beta: judged.beta,
             delta: judged.delta,
@@ -45,7 +47,8 @@ impl TrustRow {
             difference1_deg: judged.deflection1_deg - exact.deflection1_deg,
             difference2_deg: judged.deflection2_deg - exact.deflection2_deg,
             method: judged.method.clone(),
-            g: judged.g,
+            g: pair.g,
+            dz: pair.dz,
         }
     }
 
@@ -97,6 +100,8 @@ pub struct TrustShares {
     pub beta: f64,
     /// Bottom-heaviness.
     pub g: f64,
+    /// Offset out of the plane, in radii.
+    pub dz: f64,
     /// Both part, deflections within 5 degrees of each other.
     pub within_5_deg: f64,
     /// Both part, 5 to 15 degrees.
@@ -111,6 +116,21 @@ pub struct TrustShares {
     pub other_outcome: f64,
 }
 
+impl TrustShares {
+    /// The shares in the order of [`CLASSES`].
+    #[must_use]
+    pub fn in_order(&self) -> [f64; CLASSES.len()] {
+        [
+            self.within_5_deg,
+            self.within_15_deg,
+            self.within_45_deg,
+            self.beyond_45_deg,
+            self.same_outcome,
+            self.other_outcome,
+        ]
+    }
+}
+
 /// The shares for each method and pair, in the order of `rows`.
 #[must_use]
 pub fn trust_shares(rows: &[TrustRow]) -> Vec<TrustShares> {
@@ -123,6 +143,7 @@ pub fn trust_shares(rows: &[TrustRow]) -> Vec<TrustShares> {
                 method: map[0].method.clone(),
                 beta: map[0].beta,
                 g: map[0].g,
+                dz: map[0].dz,
                 within_5_deg: share(0),
                 within_15_deg: share(1),
                 within_45_deg: share(2),
@@ -136,8 +157,16 @@ pub fn trust_shares(rows: &[TrustRow]) -> Vec<TrustShares> {
 
 /// Whether two rows belong to the same map.
 pub(crate) fn same_map(a: &TrustRow, b: &TrustRow) -> bool {
-    let key = |row: &TrustRow| (row.beta.to_bits(), row.g.to_bits());
+    let key = |row: &TrustRow| (row.beta.to_bits(), row.g.to_bits(), row.dz.to_bits());
     a.method == b.method && key(a) == key(b)
+}
+
+/// Judges rows of one map by the rows of the same points.
+#[must_use]
+pub fn trust_rows(judged: &[ScatterRow], exact: &[ScatterRow], pair: Pair) -> Vec<TrustRow> {
+    (judged.iter().zip(exact))
+        .map(|(judged, exact)| TrustRow::of(judged, exact, pair))
+        .collect()
 }
 
 /// Judges each of `models` by `exact` at every pair and point of the grid, in this order; `None` where
@@ -146,7 +175,7 @@ pub(crate) fn same_map(a: &TrustRow, b: &TrustRow) -> bool {
 /// # Errors
 /// [`CompareError::Write`] if rows cannot be kept.
 pub fn trust(
-    models: &[Model],
+    models: &[&Model],
     exact: &Model,
     pairs: &[Pair],
     grid: Grid,
@@ -159,10 +188,7 @@ pub fn trust(
         .run(out, |model, pair, sigma, options| {
             let judged = line(model, pair, grid, sigma, options);
             let referee = line(exact, pair, grid, sigma, options);
-            let rows: Vec<_> = (judged.iter().zip(&referee))
-                .map(|(judged, exact)| TrustRow::of(judged, exact))
-                .collect();
-            csv_lines(&rows)
+            csv_lines(&trust_rows(&judged, &referee, pair))
         })?
         .map(|lines| rows_of(&lines.concat()))
         .transpose()

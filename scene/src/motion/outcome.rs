@@ -74,12 +74,18 @@ const SETTLED: f64 = 0.1;
 
 /// Rate of turning, in radians, and speed, in `V_s`, up to which a steady pair is at rest: far above
 /// rounding, far below any pair that moves.
-const AT_REST: f64 = 1e-7;
+pub(crate) const AT_REST: f64 = 1e-7;
 
 /// Judges a pair in a steady state from two configurations, `duration` apart.
 pub(crate) fn judge_steady(earlier: &Configuration, end: &Configuration, duration: f64) -> Outcome {
     let turning = (end.line_angle - earlier.line_angle) / duration;
     let speed = (end.midpoint - earlier.midpoint).norm() / duration;
+    judge_rates(turning, speed)
+}
+
+/// Judges a steady pair from the rate at which its line of centres turns, anticlockwise, and the speed of
+/// its midpoint.
+pub(crate) fn judge_rates(turning: f64, speed: f64) -> Outcome {
     if turning > AT_REST {
         Outcome::Anticlockwise
     } else if turning < -AT_REST {

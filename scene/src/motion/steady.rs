@@ -39,7 +39,12 @@ const GROWTH: f64 = 1e-6;
 /// Decay rate from which on a fixed point attracts.
 const DECAY: f64 = 1e-3;
 
-const MAX_NEWTON_STEPS: usize = 8;
+/// From a state that is nearly steady no step is long.
+const FROM_NEARBY: Newton = Newton {
+    nearby: NEARBY,
+    longest: NEARBY,
+    most_steps: 8,
+};
 
 /// When to look for a fixed point.
 #[derive(Clone, Copy, Debug)]
@@ -91,7 +96,7 @@ pub(crate) fn steady_state<S: System<N>, const N: usize>(
     attempts.below = 0.1 * rate(dy);
     let marginal = rate(dy) < attempts.marginal;
     let start = *y;
-    let (mut y, dy, gradients) = fixed_point(system, t, (y, dy), relative)?;
+    let (mut y, dy, gradients) = fixed_point(system, t, (y, dy), relative, FROM_NEARBY)?;
     let jacobian = gradients.fixed_rows::<3>(0).into_owned();
     if holds(&jacobian, -DECAY) {
         // What decays as exp(J t) from its start adds up to -J^-1 of the start.
@@ -102,29 +107,44 @@ pub(crate) fn steady_state<S: System<N>, const N: usize>(
     (marginal && holds(&jacobian, GROWTH)).then_some((y, dy))
 }
 
-/// The fixed point near the state `y`, by Newton's method, with its derivative and the
-/// gradients there.
-fn fixed_point<S: System<N>, const N: usize>(
+/// How Newton's method goes about it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Newton {
+    /// How far from the start the fixed point may lie.
+    pub nearby: f64,
+    /// Longest step; a longer one is cut to this length.
+    pub longest: f64,
+    /// Steps after which it gives up.
+    pub most_steps: usize,
+}
+
+/// A fixed point with the derivative of the state and the gradients there.
+pub(super) type FixedPoint<const N: usize> = ([f64; N], [f64; N], Matrix4x3<f64>);
+
+/// The fixed point near the state `y`, by Newton's method.
+pub(super) fn fixed_point<S: System<N>, const N: usize>(
     system: &mut S,
     t: f64,
     (y, dy): (&[f64; N], &[f64; N]),
     relative: Relative,
-) -> Option<([f64; N], [f64; N], Matrix4x3<f64>)> {
+    newton: Newton,
+) -> Option<FixedPoint<N>> {
     let of = relative.variables;
     let start = *y;
     let (mut y, mut dy) = (*y, *dy);
-    for _ in 0..MAX_NEWTON_STEPS {
+    for _ in 0..newton.most_steps {
         let gradients = gradients(system, t, &y, relative);
         if of.iter().all(|&i| dy[i].abs() < STEADY) {
             return Some((y, dy, gradients));
         }
         let jacobian = gradients.fixed_rows::<3>(0).into_owned();
         let step = jacobian.lu().solve(&Vector3::from(of.map(|i| dy[i])))?;
+        let cut = (newton.longest / step.amax()).min(1.0);
         for (k, i) in of.into_iter().enumerate() {
-            y[i] -= step[k];
+            y[i] -= cut * step[k];
         }
         let moved = of.map(|i| (y[i] - start[i]).abs());
-        if moved.into_iter().any(|m| m.is_nan() || m > NEARBY) {
+        if moved.into_iter().any(|m| m.is_nan() || m > newton.nearby) {
             return None;
         }
         dy = system.rhs(t, &y);

@@ -1,0 +1,185 @@
+//! Where the time of a trajectory goes, and what one velocity of the pair costs at any gap.
+
+use std::hint::black_box;
+
+use exact::Exact;
+use lt::{Form, Lubrication};
+use scene::balance::{External, Heading, PairVelocity, pair_velocity};
+use scene::{Gap, Hydrodynamics, PairLoads, Repulsion, RunOptions, SceneError, Squirmer, run};
+
+use super::loads::REFEREE_TERMS;
+use super::scaling::fig_6;
+use super::tables::Tables;
+use super::timing::timed;
+use super::{CostRow, MODES, Part};
+use crate::{CompareError, Method};
+
+/// Logarithms of gaps of a collision.
+const LN_GAPS: [f64; 8] = [-5.3, -0.2, -3.1, -4.6, -1.7, -0.9, -2.4, -3.9];
+
+/// Powers of ten of the gaps at which a velocity is timed: from what the exact table leaves to the
+/// limiting form, to where the pair is as good as alone.
+const DECADES: std::ops::RangeInclusive<i32> = -9..=4;
+
+/// Smallest power of ten at which the series answer in time: their terms go as `1/sqrt(eps)`.
+const SERIES_FROM: i32 = -6;
+
+/// Angles of the two orientations from the direction to the other sphere, in radians.
+const ANGLES: [[f64; 2]; 4] = [[0.3, 0.3], [1.2, -0.4], [2.0, 2.9], [-1.5, 0.9]];
+
+/// Where a trajectory's time goes: the loads alone, with the force balance and its sines, and a
+/// whole collision per right-hand side.
+pub(super) fn right_hand_sides(
+    tables: &Tables,
+    rows: &mut Vec<CostRow>,
+) -> Result<(), CompareError> {
+    profile(Method::Lt.name(), &Lubrication::new(Form::Published), rows)?;
+    profile("exact-table", &tables.usual_exact().table, rows)?;
+    for built in tables.usual_bem() {
+        let name = format!("bem-{}-table", built.table.model().level());
+        profile(&name, &built.table, rows)?;
+    }
+    Ok(())
+}
+
+fn profile<M: Hydrodynamics>(
+    name: &str,
+    model: &M,
+    rows: &mut Vec<CostRow>,
+) -> Result<(), CompareError> {
+    let squirmers = [Squirmer::with_beta(1.0, 5.0)?; 2];
+    let loads = || {
+        for ln_gap in LN_GAPS {
+            let gap = Gap::from_ln(black_box(ln_gap));
+            let _ = black_box(&model.interacting_loads(gap, MODES));
+        }
+    };
+    let velocities = || {
+        for ln_gap in LN_GAPS {
+            let gap = Gap::from_ln(black_box(ln_gap));
+            let headings = [ln_gap, 1.0 - ln_gap].map(heading);
+            let _ = black_box(&velocity(model, gap, &squirmers, headings));
+        }
+    };
+    let mut push = |knob: &str, case: &str, seconds: f64, repeats: u64| {
+        rows.push(CostRow {
+            seconds,
+            repeats,
+            ..CostRow::new(Part::Profile, name, (knob, f64::NAN), case)
+        });
+    };
+    let each = LN_GAPS.len() as f64;
+    let (_, timing) = timed(loads);
+    push("loads", "collision", timing.seconds / each, timing.repeats);
+    let (_, timing) = timed(velocities);
+    let per_velocity = timing.seconds / each;
+    push("velocity", "collision", per_velocity, timing.repeats);
+    let scene = fig_6(1.0).scene()?;
+    let (found, timing) = timed(|| run(&scene, model, &RunOptions::default()));
+    let loads = found?.counters.loads as f64;
+    let case = "head-on beta 5 dx 1";
+    push("trajectory", case, timing.seconds, timing.repeats);
+    let per_right_hand_side = timing.seconds / loads;
+    push(RIGHT_HAND_SIDE, case, per_right_hand_side, timing.repeats);
+    Ok(())
+}
+
+fn heading(angle: f64) -> Heading<f64> {
+    let (transverse, cosine) = angle.sin_cos();
+    Heading { cosine, transverse }
+}
+
+fn velocity<M: Hydrodynamics>(
+    model: &M,
+    gap: Gap,
+    squirmers: &[Squirmer; 2],
+    headings: [Heading<f64>; 2],
+) -> Result<PairVelocity<f64>, SceneError> {
+    let loads = model.interacting_loads(gap, MODES);
+    match &loads {
+        Ok(loads) => Ok(balanced(loads, gap, squirmers, headings)),
+        Err(error) => Err(error.clone()),
+    }
+}
+
+#[inline]
+fn balanced(
+    loads: &PairLoads,
+    gap: Gap,
+    squirmers: &[Squirmer; 2],
+    headings: [Heading<f64>; 2],
+) -> PairVelocity<f64> {
+    let external = External {
+        repulsion: Repulsion::PAPER.force(gap),
+        torque: [0.0; 2],
+    };
+    pair_velocity(gap, loads, squirmers, &headings, &external)
+}
+
+/// Time and error of a velocity by the exact table as the commands use it, at gaps far below and
+/// above those that it holds; the error is the largest of any component, in swimming speeds, against
+/// the series with more terms, where these answer in time.
+pub(super) fn velocities(tables: &Tables, rows: &mut Vec<CostRow>) -> Result<(), CompareError> {
+    let table = &tables.usual_exact().table;
+    let referee = Exact::with_terms(REFEREE_TERMS).map_err(SceneError::from)?;
+    let squirmers = [1.0, 5.0].map(|beta| Squirmer::with_beta(1.0, beta));
+    let [Ok(one), Ok(two)] = squirmers else {
+        return Ok(());
+    };
+    let squirmers = [one, two];
+    for decade in DECADES {
+        let gap = Gap::new(10.0_f64.powi(decade))?;
+        let headings = ANGLES.map(|angles| angles.map(heading));
+        let ((), timing) = timed(|| {
+            for headings in headings {
+                let gap = Gap::from_ln(black_box(gap.ln()));
+                let _ = black_box(&velocity(table, gap, &squirmers, headings));
+            }
+        });
+        let mut row = CostRow {
+            seconds: timing.seconds / ANGLES.len() as f64,
+            repeats: timing.repeats * ANGLES.len() as u64,
+            ..CostRow::new(
+                Part::Profile,
+                "exact-table",
+                (VELOCITY_AT_ANY_GAP, gap.eps()),
+                format!("gap 1e{decade}"),
+            )
+        };
+        if decade >= SERIES_FROM {
+            let reference = referee.series_loads(gap, MODES).map_err(SceneError::from)?;
+            let mut error = 0.0_f64;
+            for headings in headings {
+                let found = velocity(table, gap, &squirmers, headings)?;
+                let expected = balanced(&reference, gap, &squirmers, headings);
+                error = error.max(difference(&found, &expected, gap));
+            }
+            row.error = error;
+        }
+        rows.push(row);
+    }
+    Ok(())
+}
+
+/// Knob of the rows of a right-hand side.
+pub(super) const RIGHT_HAND_SIDE: &str = "right-hand side with its share of the step";
+
+/// Knob of the rows of [`velocities`].
+pub(super) const VELOCITY_AT_ANY_GAP: &str = "velocity at gap";
+
+/// Largest difference of any component, in swimming speeds.
+fn difference(a: &PairVelocity<f64>, b: &PairVelocity<f64>, gap: Gap) -> f64 {
+    let components = |v: &PairVelocity<f64>| {
+        [
+            v.opening * gap.eps(),
+            v.mean_axial,
+            v.mean_transverse,
+            v.turning * gap.distance(),
+            v.spin[0],
+            v.spin[1],
+        ]
+    };
+    (components(a).iter().zip(components(b)))
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max)
+}

@@ -1,0 +1,180 @@
+//! Bound states that one model has and another has not: which, and what becomes of them.
+
+use scene::{BoundState, Hydrodynamics, Outcome, Repulsion, SceneError, Squirmer, bound_states};
+use serde::Serialize;
+
+use super::trust::{TrustRow, same_map};
+use crate::{CompareError, Method, Model};
+
+/// A bound state of two equal squirmers, a line of `bound_states.csv`; its mirror image and the exchange
+/// of the two are states too.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BoundRow {
+    /// Name of the method.
+    pub method: String,
+    /// Squirmer parameter.
+    pub beta: f64,
+    /// What it is.
+    pub outcome: String,
+    /// Gap, in radii.
+    pub gap: f64,
+    /// Orientation of the first, anticlockwise from the direction to the second.
+    pub angle1_deg: f64,
+    /// Orientation of the second, anticlockwise from the direction to the first.
+    pub angle2_deg: f64,
+    /// Rate of turning of the line of centres, in radians over `a/V_s`.
+    pub turning: f64,
+    /// Speed of the midpoint, in `V_s`.
+    pub speed: f64,
+    /// Largest growth rate of a small disturbance in the plane, in `V_s/a`; negative if the state
+    /// attracts.
+    pub growth: f64,
+    /// Angular frequency of that disturbance, in `V_s/a`.
+    pub frequency: f64,
+    /// Whether it is one of a line of states, which are not listed each.
+    pub one_of_a_line: bool,
+}
+
+impl BoundRow {
+    fn of(method: Method, beta: f64, state: &BoundState) -> Self {
+        let [angle1_deg, angle2_deg] = state.angles.map(f64::to_degrees);
+        Self {
+            method: method.name().to_owned(),
+            beta,
+            outcome: state.outcome.to_string(),
+            gap: state.gap.eps(),
+            angle1_deg,
+            angle2_deg,
+            turning: state.turning,
+            speed: state.speed,
+            growth: state.growth(),
+            frequency: state.eigenvalues[0].im.abs(),
+            one_of_a_line: state.is_neutral(),
+        }
+    }
+}
+
+/// The bound states of every model and squirmer parameter, in this order, by rising growth rate.
+///
+/// # Errors
+/// [`CompareError::Scene`] for a parameter that is not finite.
+pub fn bound_rows(models: &[&Model], betas: &[f64]) -> Result<Vec<BoundRow>, CompareError> {
+    let mut rows = Vec::new();
+    for model in models {
+        for &beta in betas {
+            let squirmer = Squirmer::with_beta(1.0, beta)?;
+            let states = states(model, &squirmer)?;
+            rows.extend(states.iter().map(|s| BoundRow::of(model.method(), beta, s)));
+        }
+    }
+    Ok(rows)
+}
+
+fn states(model: &Model, squirmer: &Squirmer) -> Result<Vec<BoundState>, SceneError> {
+    bound_states(model as &dyn Hydrodynamics, squirmer, Repulsion::PAPER)
+}
+
+/// Starts from which one model binds the pair and the other parts it, a line of `trust_examples.csv`: one
+/// example for each kind, with what the other model has of that state.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BoundExample {
+    /// Form of lubrication theory.
+    pub method: String,
+    /// Squirmer parameter.
+    pub beta: f64,
+    /// Outcome by lubrication theory.
+    pub outcome_lt: String,
+    /// Outcome by exact hydrodynamics.
+    pub outcome_exact: String,
+    /// Share of the plane.
+    pub share: f64,
+    /// An example.
+    pub delta: f64,
+    /// An example.
+    pub sigma: f64,
+    /// What the model that parts the pair has of the state: `absent`, `unstable` or `not reached`.
+    pub state: &'static str,
+    /// Gap of that state, in radii.
+    pub gap: f64,
+    /// Its growth rate, in `V_s/a`.
+    pub growth: f64,
+}
+
+/// Whether an outcome is one of the bound states without gravity.
+fn is_bound(outcome: &str) -> bool {
+    [
+        Outcome::Standoff,
+        Outcome::Pairwise,
+        Outcome::Anticlockwise,
+        Outcome::Clockwise,
+    ]
+    .iter()
+    .any(|bound| bound.to_string() == outcome)
+}
+
+/// The kind of a bound state, the sense of rotation left out: mirror images have the other one.
+fn kind(outcome: &str) -> &str {
+    match outcome {
+        "anticlockwise" | "clockwise" => "orbit",
+        other => other,
+    }
+}
+
+/// The examples of every map, by falling share.
+#[must_use]
+pub fn bound_examples(rows: &[TrustRow], states: &[BoundRow]) -> Vec<BoundExample> {
+    let mut examples = Vec::new();
+    for map in rows.chunk_by(same_map) {
+        let mut kinds: Vec<(&str, &str)> = Vec::new();
+        for row in map {
+            let pair = (row.outcome_lt.as_str(), row.outcome_exact.as_str());
+            if is_bound(pair.0) != is_bound(pair.1) && !kinds.contains(&pair) {
+                kinds.push(pair);
+            }
+        }
+        let mut found: Vec<BoundExample> = (kinds.into_iter())
+            .filter_map(|pair| example(map, pair, states))
+            .collect();
+        found.sort_by(|a, b| b.share.total_cmp(&a.share));
+        examples.extend(found);
+    }
+    examples
+}
+
+fn example(
+    map: &[TrustRow],
+    (outcome_lt, outcome_exact): (&str, &str),
+    states: &[BoundRow],
+) -> Option<BoundExample> {
+    let alike: Vec<&TrustRow> = (map.iter())
+        .filter(|row| row.outcome_lt == outcome_lt && row.outcome_exact == outcome_exact)
+        .collect();
+    let row = alike.get(alike.len() / 2)?;
+    let (bound, parts) = if is_bound(outcome_lt) {
+        (outcome_lt, Method::Exact.name())
+    } else {
+        (outcome_exact, row.method.as_str())
+    };
+    // Stable ones come first.
+    let there = (states.iter()).find(|state| {
+        state.method == parts
+            && state.beta.total_cmp(&row.beta).is_eq()
+            && kind(&state.outcome) == kind(bound)
+    });
+    Some(BoundExample {
+        method: row.method.clone(),
+        beta: row.beta,
+        outcome_lt: outcome_lt.to_owned(),
+        outcome_exact: outcome_exact.to_owned(),
+        share: alike.len() as f64 / map.len() as f64,
+        delta: row.delta,
+        sigma: row.sigma,
+        state: match there {
+            None => "absent",
+            Some(state) if state.growth > 0.0 => "unstable",
+            Some(_) => "not reached",
+        },
+        gap: there.map_or(f64::NAN, |state| state.gap),
+        growth: there.map_or(f64::NAN, |state| state.growth),
+    })
+}

@@ -1,0 +1,200 @@
+//! The bound states that a pair of equal squirmers has under a model, stable or not.
+//!
+//! Without gravity the planar motion of gap and orientations, `r = (ln eps, angle 1, angle 2)`, is a
+//! system of its own, `dr/dt = f(r)`, and its fixed points are the bound states of the paper's Fig.
+//! 1(c). Trajectories find those that attract; here Newton's method, begun all over the plane, finds
+//! the others too, and the eigenvalues of the Jacobian tell how fast each is left or approached.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::{Complex, Matrix3};
+
+use super::Outcome;
+use super::coordinates::{Coordinates, Planar};
+use super::equations::{Absent, PairMotion, Present};
+use super::outcome::{AT_REST, judge_rates};
+use super::steady::{Newton, fixed_point};
+use crate::ode::System;
+use crate::{Gap, Hydrodynamics, Repulsion, SceneError, Squirmer};
+
+/// A bound state of two equal squirmers in the plane, one of up to four that mirror and exchange of
+/// the two make of each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoundState {
+    /// Gap, in radii.
+    pub gap: Gap,
+    /// Orientations, in radians, anticlockwise from the direction to the other squirmer.
+    pub angles: [f64; 2],
+    /// What it is.
+    pub outcome: Outcome,
+    /// Rate at which the line of centres turns, in radians over `a/V_s`, anticlockwise.
+    pub turning: f64,
+    /// Speed of the midpoint, in `V_s`.
+    pub speed: f64,
+    /// Eigenvalues of the Jacobian of gap and orientations, in `V_s/a`, by falling real part.
+    pub eigenvalues: [Complex<f64>; 3],
+}
+
+impl BoundState {
+    /// The largest rate, in `V_s/a`, at which something small grows in the plane; negative for a state
+    /// that attracts.
+    #[must_use]
+    pub fn growth(&self) -> f64 {
+        self.eigenvalues[0].re
+    }
+
+    /// Whether the state is one of a line of states, along which nothing grows or decays. A squirmer
+    /// with `beta = 0` that follows another one keeps any gap.
+    #[must_use]
+    pub fn is_neutral(&self) -> bool {
+        self.eigenvalues.iter().any(|e| e.norm() < NEUTRAL)
+    }
+}
+
+/// Gaps at which the search begins, in radii.
+const GAPS: [f64; 7] = [0.003, 0.006, 0.015, 0.04, 0.1, 0.3, 0.8];
+
+/// Angles at which it begins, evenly around the circle.
+const ANGLES: usize = 24;
+
+/// Newton's method from afar.
+const FROM_AFAR: Newton = Newton {
+    nearby: 12.0,
+    longest: 0.3,
+    most_steps: 60,
+};
+
+/// Two fixed points closer than this, in each variable, are the same.
+const SAME: f64 = 1e-6;
+
+/// Eigenvalue, in `V_s/a`, up to which a state is one of a line of them: above the error of the Jacobian,
+/// far below any that was found otherwise.
+const NEUTRAL: f64 = 1e-5;
+
+/// Share of the gap at which the loads are cut off; nearer to the cut, where they have faded to those of
+/// lone squirmers, every parallel pair is at rest in its own frame.
+const BELOW_CUT: f64 = 0.999;
+
+/// All bound states of two `squirmer`s with gaps up to that of contact, 1, by rising growth rate; one for
+/// each line of neutral ones.
+///
+/// The search begins at a fixed list of gaps and angles: a state with a tiny basin of
+/// Newton's method may be missed.
+///
+/// # Errors
+/// [`SceneError`] if the model refuses so many modes.
+pub fn bound_states<H: Hydrodynamics + ?Sized>(
+    model: &H,
+    squirmer: &Squirmer,
+    repulsion: Repulsion,
+) -> Result<Vec<BoundState>, SceneError> {
+    let squirmers = [*squirmer; 2];
+    let mut motion = PairMotion {
+        model,
+        coordinates: Planar { z: 0.0 },
+        squirmers,
+        modes: squirmer.modes().len(),
+        repulsion: Present(repulsion),
+        gravity: Absent,
+        failure: None,
+        loads: 0,
+    };
+    model.interacting_loads(Gap::new(GAPS[0])?, motion.modes)?;
+    let largest = BELOW_CUT * model.cutoff().unwrap_or(1.0).min(1.0);
+    let mut found: Vec<BoundState> = Vec::new();
+    let angle = |i: usize| TAU * i as f64 / ANGLES as f64 - PI;
+    for gap in GAPS {
+        for i in 0..ANGLES {
+            // Exchange of the two makes the others of these.
+            for j in 0..=i {
+                let start = [0.0, 0.0, 0.0, gap.ln(), angle(i), angle(j)];
+                let state = bound_state_near(&mut motion, &start);
+                let new = state.filter(|state| {
+                    state.gap.eps() < largest && !found.iter().any(|other| same(state, other))
+                });
+                found.extend(new);
+            }
+        }
+    }
+    found.sort_by(|a, b| a.growth().total_cmp(&b.growth()));
+    Ok(found)
+}
+
+type PlanarMotion<'a, H> = PairMotion<'a, H, Planar, Present<Repulsion>, Absent>;
+
+/// The bound state that Newton's method finds from the planar state `y`.
+fn bound_state_near<H: Hydrodynamics + ?Sized>(
+    motion: &mut PlanarMotion<'_, H>,
+    y: &[f64; 6],
+) -> Option<BoundState> {
+    let relative = Planar::RELATIVE?;
+    let dy = motion.rhs(0.0, y);
+    let (y, dy, gradients) = fixed_point(motion, 0.0, (y, &dy), relative, FROM_AFAR)?;
+    let [gap, one, two] = relative.variables;
+    let (angles, turning) = canonical([y[one], y[two]], dy[relative.turning]);
+    let speed = dy[0].hypot(dy[1]);
+    let jacobian: Matrix3<f64> = gradients.fixed_rows::<3>(0).into_owned();
+    let mut eigenvalues: [Complex<f64>; 3] = jacobian.complex_eigenvalues().into();
+    eigenvalues.sort_by(|a, b| b.re.total_cmp(&a.re));
+    Some(BoundState {
+        gap: Gap::from_ln(y[gap]),
+        angles,
+        outcome: judge_rates(turning, speed),
+        turning,
+        speed,
+        eigenvalues,
+    })
+}
+
+/// Of the images of a state by exchange and mirror: the one that turns anticlockwise, if it turns, and
+/// has the larger angles.
+fn canonical([one, two]: [f64; 2], turning: f64) -> ([f64; 2], f64) {
+    let images = [
+        ([one, two], turning),
+        ([two, one], turning),
+        ([-one, -two], -turning),
+        ([-two, -one], -turning),
+    ]
+    .map(|(angles, turning)| (angles.map(wrapped), turning));
+    let rank = |(angles, turning): &([f64; 2], f64)| {
+        let turns = if *turning > AT_REST { 1.0 } else { 0.0 };
+        [turns, angles[0], angles[1]]
+    };
+    images.into_iter().fold(images[0], |best, image| {
+        if rank(&image) > rank(&best) {
+            image
+        } else {
+            best
+        }
+    })
+}
+
+/// The angle from -pi to pi.
+fn wrapped(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}
+
+/// Whether two states are the same, or two of the same line.
+fn same(a: &BoundState, b: &BoundState) -> bool {
+    if a.is_neutral() && b.is_neutral() && a.outcome == b.outcome {
+        return true;
+    }
+    let apart = |i: usize| wrapped(a.angles[i] - b.angles[i]).abs();
+    (a.gap.ln() - b.gap.ln()).abs() < SAME && apart(0) < SAME && apart(1) < SAME
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_state_and_its_images_are_one() {
+        let (angles, turning) = canonical([0.3, -2.0], -0.1);
+        assert_eq!((angles, turning), ([2.0, -0.3], 0.1));
+        for image in [([0.3, -2.0], -0.1), ([-2.0, 0.3], -0.1), ([2.0, -0.3], 0.1)] {
+            assert_eq!(canonical(image.0, image.1), (angles, turning));
+        }
+        // At rest there is no sense of turning to tell the images apart by.
+        assert_eq!(canonical([-0.5, 0.5], 0.0).0, [0.5, -0.5]);
+    }
+}
