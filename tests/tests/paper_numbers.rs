@@ -32,7 +32,7 @@ fn shares(beta: f64) -> FateRow {
         dz: 0.0,
     };
     let grid = Grid::new(60).unwrap();
-    let rows = fates(&[lubrication()], &[pair], grid, &sweep, &out);
+    let rows = fates(&[&lubrication()], &[pair], grid, &sweep, &out);
     rows.unwrap().unwrap().remove(0)
 }
 
