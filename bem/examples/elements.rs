@@ -8,13 +8,13 @@ use std::f64::consts::PI;
 
 use bem::mesh::{Grading, MeshFamily};
 use exact::Exact;
-use scene::{Gap, Hydrodynamics};
+use scene::{Gap, Hydrodynamics, LoadSet};
 
 type Failure = Box<dyn std::error::Error>;
 
 fn report<const H: usize>(name: &str, eps: f64, panels: &[f64]) -> Result<(), Failure> {
     let gap = Gap::new(eps)?;
-    let truth = Exact::new().loads(gap, 2)?.named();
+    let truth = Exact::new().loads(gap, LoadSet::all(2))?.named();
     for panels in panels {
         let law = Grading {
             scale: PI / panels,
@@ -24,7 +24,7 @@ fn report<const H: usize>(name: &str, eps: f64, panels: &[f64]) -> Result<(), Fa
             gap: eps,
         };
         let family = MeshFamily::<H>::new(law, 0.5 * eps, 2.0 * eps)?;
-        let solution = bem::pair::solve(&family, eps, 2)?;
+        let solution = bem::pair::solve(&family, eps, LoadSet::all(2))?;
         let errors = solution.loads.named().into_iter().zip(&truth);
         let error = errors
             .map(|((name, value), (_, truth))| {

@@ -9,7 +9,7 @@ use std::time::Instant;
 use bem::Bem;
 use faer::linalg::solvers::PartialPivLu;
 use faer::{Mat, Par};
-use scene::Gap;
+use scene::{Gap, LoadSet};
 
 fn matrix(n: usize) -> Mat<f64> {
     // Nothing special, and far from singular.
@@ -53,7 +53,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .next()
         .map_or(Ok(Bem::DEFAULT_LEVEL), |s| s.parse())?;
     let model = Bem::new(level)?;
-    let solution = model.solve(gap, 2)?;
+    let solution = model.solve(gap, LoadSet::all(2))?;
     let whole = 6 * solution.nodes;
     let part = whole / 8;
     let many = Par::rayon(0);

@@ -7,7 +7,7 @@
 
 use bem::Bem;
 use exact::Exact;
-use scene::{Gap, Hydrodynamics};
+use scene::{Gap, Hydrodynamics, LoadSet};
 
 type Failure = Box<dyn std::error::Error>;
 
@@ -26,7 +26,7 @@ fn main() -> Result<(), Failure> {
     println!("    eps level nodes aspect    error  order estimate assembly  solve  worst");
     for eps in gaps {
         let gap = Gap::new(eps)?;
-        let truth = exact.loads(gap, 2)?.named();
+        let truth = exact.loads(gap, LoadSet::all(2))?.named();
         let mut before: Option<(f64, f64)> = None;
         for level in 1..=highest {
             let model = Bem::new(level)?;
@@ -34,7 +34,7 @@ fn main() -> Result<(), Failure> {
                 println!("{error}");
                 continue;
             }
-            let solution = model.solve(gap, 2)?;
+            let solution = model.solve(gap, LoadSet::all(2))?;
             let errors = solution.loads.named().into_iter().zip(&truth);
             let (error, name) = errors
                 .map(|((name, value), (_, truth))| {
@@ -50,7 +50,7 @@ fn main() -> Result<(), Failure> {
             println!(
                 "{eps:7.0e} {level:5} {nodes:5} {:6.2} {error:8.1e} {order:6.1} {:8.1e} {:8.3} {:6.3}  {name}",
                 model.family(gap).at(eps).worst_aspect_ratio(),
-                model.error_estimate(gap, 2)?,
+                model.error_estimate(gap, LoadSet::all(2))?,
                 solution.seconds.assembly,
                 solution.seconds.solve,
             );

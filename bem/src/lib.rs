@@ -16,14 +16,14 @@
 //! | [`mesh`] | triangulated spheres, finer towards the contact point, mirror-symmetric to the last bit |
 //! | [`quadrature`] | rules for far, near and touching panels |
 //! | [`surface`] | one meshed sphere: the velocity that its hat functions induce at a point |
-//! | [`pair`] | two spheres in the pair frame, split by symmetry into six small dense systems |
+//! | [`pair`] | two spheres in the pair frame, split by symmetry into at most six small dense systems |
 //! | [`lab`] | any spheres anywhere, one dense system: squirmers that are free, or held |
 //! | [`model`] | [`Bem`], the model `gap -> loads` that scenes use |
 //!
 //! ```
 //! use bem::Bem;
-//! use scene::{Gap, Hydrodynamics};
-//! let loads = Bem::new(1)?.loads(Gap::new(1.0)?, 1)?;
+//! use scene::{Gap, Hydrodynamics, LoadSet};
+//! let loads = Bem::new(1)?.loads(Gap::new(1.0)?, LoadSet::all(1))?;
 //! assert!((loads.xa.own() - 1.3685).abs() < 0.01);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use scene::{Gap, GapRange, Hydrodynamics, MAX_MODES, PairLoads, SceneError};
+use scene::{Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, SceneError};
 
 use crate::BemError;
 use crate::mesh::{Grading, MeshFamily};
@@ -100,8 +100,8 @@ impl Bem {
     ///
     /// # Errors
     /// As [`Hydrodynamics::loads`].
-    pub fn solve(&self, gap: Gap, modes: usize) -> Result<PairSolution, SceneError> {
-        self.solve_with(&self.families, gap, modes)
+    pub fn solve(&self, gap: Gap, set: LoadSet) -> Result<PairSolution, SceneError> {
+        self.solve_with(&self.families, gap, set)
     }
 
     /// Refuses a gap that the meshes of this level do not resolve.
@@ -116,17 +116,12 @@ impl Bem {
         &self,
         families: &[MeshFamily],
         gap: Gap,
-        modes: usize,
+        set: LoadSet,
     ) -> Result<PairSolution, SceneError> {
         self.check(gap).map_err(|error| failure(&error))?;
-        if modes > MAX_MODES {
-            return Err(SceneError::TooManyModes {
-                modes,
-                allowed: MAX_MODES,
-            });
-        }
-        let solution = pair::solve(at_gap(families, gap), gap.eps(), modes)
-            .map_err(|error| failure(&error))?;
+        set.check()?;
+        let solution =
+            pair::solve(at_gap(families, gap), gap.eps(), set).map_err(|error| failure(&error))?;
         self.solves.fetch_add(solution.solves, Ordering::Relaxed);
         Ok(solution)
     }
@@ -140,15 +135,15 @@ impl Hydrodynamics for Bem {
         }
     }
 
-    fn loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
-        Ok(self.solve(gap, modes)?.loads)
+    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+        Ok(self.solve(gap, set)?.loads)
     }
 
     /// The difference from the next coarser level: since errors fall by about three a level, it is
     /// about twice the error of the finer one.
-    fn error_estimate(&self, gap: Gap, modes: usize) -> Result<f64, SceneError> {
-        let fine = self.solve(gap, modes)?.loads;
-        let coarse = self.solve_with(&self.coarser, gap, modes)?.loads;
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
+        let fine = self.solve(gap, set)?.loads;
+        let coarse = self.solve_with(&self.coarser, gap, set)?.loads;
         Ok(CAUTION * difference(&fine, &coarse))
     }
 

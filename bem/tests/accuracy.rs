@@ -4,7 +4,7 @@
 
 use bem::Bem;
 use exact::Exact;
-use scene::{Gap, Hydrodynamics, PairLoads};
+use scene::{Gap, Hydrodynamics, LoadSet, PairLoads};
 
 /// Largest error over the loads, relative to the larger of the load and 1, thrusts to the larger of
 /// the load and 4.
@@ -26,8 +26,11 @@ fn gap(eps: f64) -> Gap {
 fn val_the_default_level_has_every_load_to_its_stated_figure_with_1500_nodes() {
     let (model, exact) = (Bem::new(Bem::DEFAULT_LEVEL).unwrap(), Exact::new());
     for (eps, bound) in [(1.0, 1e-4), (0.1, 1e-4), (0.01, 1e-4), (0.001, 1e-3)] {
-        let solution = model.solve(gap(eps), 2).unwrap();
-        let error = error(&solution.loads, &exact.loads(gap(eps), 2).unwrap());
+        let solution = model.solve(gap(eps), LoadSet::all(2)).unwrap();
+        let error = error(
+            &solution.loads,
+            &exact.loads(gap(eps), LoadSet::all(2)).unwrap(),
+        );
         assert!(error < bound, "{error:e} at gap {eps}");
         assert!(solution.nodes <= 1500, "{} at gap {eps}", solution.nodes);
     }
@@ -37,9 +40,12 @@ fn val_the_default_level_has_every_load_to_its_stated_figure_with_1500_nodes() {
 fn val_each_level_is_closer_than_the_one_before() {
     let exact = Exact::new();
     for eps in [1.0, 0.1, 0.01, 0.004] {
-        let truth = exact.loads(gap(eps), 2).unwrap();
+        let truth = exact.loads(gap(eps), LoadSet::all(2)).unwrap();
         let errors = [1, 2, 3, 4].map(|level| {
-            let loads = Bem::new(level).unwrap().loads(gap(eps), 2).unwrap();
+            let loads = Bem::new(level)
+                .unwrap()
+                .loads(gap(eps), LoadSet::all(2))
+                .unwrap();
             error(&loads, &truth)
         });
         assert!(errors.is_sorted_by(|a, b| a > b), "{errors:?} at gap {eps}");
@@ -53,8 +59,8 @@ fn val_the_smallest_gap_of_each_level_is_resolved_to_half_a_percent() {
     for level in 1..=3 {
         let model = Bem::new(level).unwrap();
         let smallest = gap(model.range().smallest);
-        let loads = model.loads(smallest, 2).unwrap();
-        let error = error(&loads, &exact.loads(smallest, 2).unwrap());
+        let loads = model.loads(smallest, LoadSet::all(2)).unwrap();
+        let error = error(&loads, &exact.loads(smallest, LoadSet::all(2)).unwrap());
         assert!(error < 5e-3, "{error:e} at level {level}");
     }
 }
@@ -69,8 +75,11 @@ fn val_the_error_is_below_three_times_its_estimate_at_random_gaps() {
         let share = (f64::from(k) * 0.618_033_988_75).fract();
         let at = Gap::from_ln(0.004f64.ln() + share * 1000f64.ln());
         let model = Bem::new(1 + k as usize % 3).unwrap();
-        let error = error(&model.loads(at, 2).unwrap(), &exact.loads(at, 2).unwrap());
-        held += u32::from(error <= 3.0 * model.error_estimate(at, 2).unwrap());
+        let error = error(
+            &model.loads(at, LoadSet::all(2)).unwrap(),
+            &exact.loads(at, LoadSet::all(2)).unwrap(),
+        );
+        held += u32::from(error <= 3.0 * model.error_estimate(at, LoadSet::all(2)).unwrap());
     }
     assert!(held >= 38, "{held} of {count}");
 }

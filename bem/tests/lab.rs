@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use approx::assert_relative_eq;
 use bem::{Bem, BemError, Body, Lab, Motion};
 use nalgebra::{UnitQuaternion, Vector3};
-use scene::{Gap, Hydrodynamics};
+use scene::{Gap, Hydrodynamics, LoadSet};
 
 const STILL: Motion = Motion {
     velocity: Vector3::new(0.0, 0.0, 0.0),
@@ -62,7 +62,7 @@ fn the_split_systems_solve_the_same_equations_as_the_full_one() {
     let eps = 0.3;
     let pair = Bem::new(1)
         .unwrap()
-        .loads(Gap::new(eps).unwrap(), 0)
+        .loads(Gap::new(eps).unwrap(), LoadSet::all(0))
         .unwrap();
     let bodies = [0.0, 2.0 + eps].map(|z| Body::rigid(Vector3::new(0.0, 0.0, z)));
     let lab = Lab::new(1, &bodies).unwrap();
@@ -107,7 +107,7 @@ fn slip_solved_for_in_the_laboratory_agrees_with_the_angular_factors_of_the_pair
     let (eps, mode) = (0.5, 2);
     let loads = Bem::new(2)
         .unwrap()
-        .loads(Gap::new(eps).unwrap(), mode)
+        .loads(Gap::new(eps).unwrap(), LoadSet::all(mode))
         .unwrap();
     // A pair along a skew line, with the mesh of sphere 1 turned about it.
     let turn = UnitQuaternion::from_euler_angles(0.4, 1.0, -0.7);

@@ -4,7 +4,7 @@
 
 use bem::model::difference;
 use bem::{Bem, BemError};
-use scene::{Gap, Hydrodynamics, PairLoads, SceneError};
+use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, SceneError};
 
 /// Gap and X11A X12A Y11A Y12A Y11B Y12B X11C X12C Y11C Y12C; A. K. Townsend, Phys. Fluids 35 (2023),
 /// doi 10.1063/5.0175697.
@@ -151,7 +151,7 @@ fn worst(loads: &PairLoads, truth: &[f64]) -> f64 {
 fn val_every_resistance_scalar_is_townsends_to_a_ten_thousandth() {
     let model = Bem::new(Bem::DEFAULT_LEVEL).unwrap();
     for (eps, truth) in TOWNSEND_2023 {
-        let error = worst(&model.loads(gap(eps), 0).unwrap(), &truth);
+        let error = worst(&model.loads(gap(eps), LoadSet::all(0)).unwrap(), &truth);
         assert!(error < 1e-4, "{error:e} at gap {eps}");
     }
 }
@@ -160,7 +160,8 @@ fn val_every_resistance_scalar_is_townsends_to_a_ten_thousandth() {
 fn val_every_resistance_scalar_comes_closer_on_finer_meshes() {
     let models = [1, 3].map(|level| Bem::new(level).unwrap());
     for (eps, truth) in TOWNSEND_2023 {
-        let [coarse, fine] = [0, 1].map(|k| worst(&models[k].loads(gap(eps), 0).unwrap(), &truth));
+        let [coarse, fine] =
+            [0, 1].map(|k| worst(&models[k].loads(gap(eps), LoadSet::all(0)).unwrap(), &truth));
         assert!(
             fine < 0.5 * coarse,
             "{fine:e} after {coarse:e} at gap {eps}"
@@ -192,7 +193,10 @@ fn val_near_contact_the_loads_are_those_of_lubrication_with_its_constants() {
     ] {
         truth.extend(slopes.iter().zip(constants).map(|(s, c)| s * log + c));
     }
-    let loads = Bem::new(2).unwrap().loads(gap(eps), 2).unwrap();
+    let loads = Bem::new(2)
+        .unwrap()
+        .loads(gap(eps), LoadSet::all(2))
+        .unwrap();
     // The next terms are of order eps ln(1/eps) = 0.007.
     let error = worst(&loads, &truth);
     assert!(error < 0.01, "{error:e}");
@@ -200,8 +204,11 @@ fn val_near_contact_the_loads_are_those_of_lubrication_with_its_constants() {
 
 #[test]
 fn two_spheres_far_apart_do_not_interact() {
-    let loads = Bem::new(2).unwrap().loads(gap(1e9), 3).unwrap();
-    assert!(difference(&loads, &PairLoads::isolated(3)) < 1e-3);
+    let loads = Bem::new(2)
+        .unwrap()
+        .loads(gap(1e9), LoadSet::all(3))
+        .unwrap();
+    assert!(difference(&loads, &PairLoads::isolated(LoadSet::all(3))) < 1e-3);
     let other = loads
         .named()
         .into_iter()
@@ -240,7 +247,7 @@ fn loads_are_a_smooth_function_of_the_gap_between_seams() {
         .collect();
     let columns = |ln: f64| -> Vec<f64> {
         model
-            .loads(Gap::from_ln(ln), 2)
+            .loads(Gap::from_ln(ln), LoadSet::all(2))
             .unwrap()
             .columns()
             .collect()
@@ -263,7 +270,7 @@ fn loads_have_the_same_bits_on_any_number_of_threads() {
             .num_threads(threads)
             .build()
             .unwrap();
-        pool.install(|| model.loads(gap(0.03), 2).unwrap())
+        pool.install(|| model.loads(gap(0.03), LoadSet::all(2)).unwrap())
     };
     let bits = |loads: &PairLoads| loads.columns().map(f64::to_bits).collect::<Vec<_>>();
     assert_eq!(bits(&on(1)), bits(&on(3)));
@@ -273,8 +280,8 @@ fn loads_have_the_same_bits_on_any_number_of_threads() {
 fn the_error_estimate_is_above_the_error() {
     let model = Bem::new(2).unwrap();
     for (eps, truth) in TOWNSEND_2023.into_iter().step_by(2) {
-        let error = worst(&model.loads(gap(eps), 0).unwrap(), &truth);
-        let estimate = model.error_estimate(gap(eps), 0).unwrap();
+        let error = worst(&model.loads(gap(eps), LoadSet::all(0)).unwrap(), &truth);
+        let estimate = model.error_estimate(gap(eps), LoadSet::all(0)).unwrap();
         assert!(
             estimate > error && estimate < 100.0 * error,
             "{estimate:e} for {error:e} at {eps}"
@@ -285,8 +292,24 @@ fn the_error_estimate_is_above_the_error() {
 #[test]
 fn only_six_systems_are_solved_a_gap() {
     let model = Bem::new(1).unwrap();
-    model.loads(gap(1.0), 8).unwrap();
+    model.loads(gap(1.0), LoadSet::all(8)).unwrap();
     assert_eq!(model.solves(), 6);
+}
+
+#[test]
+fn a_part_of_the_loads_costs_fewer_solves_and_has_the_same_bits() {
+    let whole = Bem::new(1).unwrap();
+    let all = whole.loads(gap(0.1), LoadSet::all(2)).unwrap().named();
+    for (set, solves) in [
+        (LoadSet::axial(2), 2),
+        (LoadSet::axial_and_twist(2), 4),
+        (LoadSet::planar(2), 4),
+    ] {
+        let model = Bem::new(1).unwrap();
+        let part = model.loads(gap(0.1), set).unwrap().named();
+        assert_eq!((model.solves(), part.len()), (solves, set.column_count()));
+        assert!(part.iter().all(|load| all.contains(load)), "{part:?}");
+    }
 }
 
 #[test]
@@ -306,12 +329,12 @@ fn what_the_model_does_not_hold_is_refused() {
             ..
         }
     ));
-    let refused = model.loads(gap(1e-4), 1);
+    let refused = model.loads(gap(1e-4), LoadSet::all(1));
     assert!(matches!(
         refused,
         Err(SceneError::Model { model: "bem", .. })
     ));
-    let refused = model.loads(gap(1.0), 9);
+    let refused = model.loads(gap(1.0), LoadSet::all(9));
     assert_eq!(
         refused,
         Err(SceneError::TooManyModes {

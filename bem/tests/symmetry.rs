@@ -9,7 +9,7 @@ use bem::mesh::Nodes;
 use bem::slip;
 use bem::surface::{Block, Profile, Surface, Target, Work, mirrored_z};
 use nalgebra::{DMatrix, DVector, Vector3};
-use scene::{Gap, Hydrodynamics, PairLoads, SelfOther};
+use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, SelfOther};
 
 /// Two spheres, sphere 2 in the mirrored frame, so that its nodes are those of sphere 1.
 struct Unsplit {
@@ -95,7 +95,7 @@ impl Unsplit {
             self.tractions(|n| z.cross(n)),
         ];
         let both = |t: &[Vec<Vector3<f64>>; 2]| [0, 1].map(|k| self.force_and_torque(&t[k]));
-        let mut loads = PairLoads::zero(modes);
+        let mut loads = PairLoads::zero(LoadSet::all(modes));
         // In the mirrored frame of sphere 2, z of forces and x, y of torques change sign.
         let pair = |[own, other]: [f64; 2], unit: f64| SelfOther::new(own / unit, other / unit);
         let [one, two] = both(&axial);
@@ -144,7 +144,7 @@ fn the_split_systems_give_the_loads_of_the_unsplit_one_to_rounding() {
     let model = Bem::new(1).unwrap();
     for eps in [1.5, 0.3] {
         let gap = Gap::new(eps).unwrap();
-        let split = model.loads(gap, 2).unwrap();
+        let split = model.loads(gap, LoadSet::all(2)).unwrap();
         let unsplit = Unsplit::new(&model, gap).loads(2);
         for ((name, a), (_, b)) in split.named().into_iter().zip(unsplit.named()) {
             let error = (a - b).abs() / b.abs().max(1.0);

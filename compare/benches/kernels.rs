@@ -11,7 +11,7 @@ use exact::Exact;
 use lt::{Form, Lubrication};
 use scene::balance::{External, Heading, PairVelocity, pair_velocity};
 use scene::ode::Stepper;
-use scene::{Gap, Hydrodynamics, Repulsion, Squirmer, TableOptions, Tabulated};
+use scene::{Gap, Hydrodynamics, LoadSet, Repulsion, Squirmer, TableOptions, Tabulated};
 
 fn main() {
     divan::main();
@@ -25,7 +25,7 @@ fn table() -> &'static Tabulated<Exact> {
     static TABLE: OnceLock<Tabulated<Exact>> = OnceLock::new();
     TABLE.get_or_init(|| {
         let options = TableOptions {
-            modes: 2,
+            set: LoadSet::all(2),
             tolerance: EXACT_TABLE_TOLERANCE,
             smallest_gap: 1e-4,
         };
@@ -41,7 +41,7 @@ fn velocity<M: Hydrodynamics>(
     repulsion: Repulsion,
 ) -> PairVelocity<f64> {
     let gap = Gap::from_ln(ln_gap);
-    let loads = model.interacting_loads(gap, 2);
+    let loads = model.interacting_loads(gap, LoadSet::all(2));
     let loads = loads.as_ref().unwrap();
     let headings = angles.map(|angle: f64| Heading {
         cosine: angle.cos(),
@@ -86,7 +86,11 @@ fn table_look_up(bencher: Bencher<'_, '_>) {
     let table = table();
     bencher.counter(LN_GAPS.len()).bench(|| {
         for ln_gap in LN_GAPS {
-            black_box(table.loads(Gap::from_ln(black_box(ln_gap)), 2).unwrap());
+            black_box(
+                table
+                    .loads(Gap::from_ln(black_box(ln_gap)), LoadSet::all(2))
+                    .unwrap(),
+            );
         }
     });
 }
@@ -96,7 +100,11 @@ fn loads_lubrication(bencher: Bencher<'_, '_>) {
     let model = Lubrication::new(Form::Published);
     bencher.counter(LN_GAPS.len()).bench(|| {
         for ln_gap in LN_GAPS {
-            black_box(model.loads(Gap::from_ln(black_box(ln_gap)), 2).unwrap());
+            black_box(
+                model
+                    .loads(Gap::from_ln(black_box(ln_gap)), LoadSet::all(2))
+                    .unwrap(),
+            );
         }
     });
 }
@@ -106,7 +114,7 @@ fn force_balance(bencher: Bencher<'_, '_>) {
     let squirmers = [Squirmer::with_beta(1.0, 5.0).unwrap(); 2];
     let model = Lubrication::new(Form::Published);
     let gap = Gap::new(0.01).unwrap();
-    let loads = model.loads(gap, 2).unwrap();
+    let loads = model.loads(gap, LoadSet::all(2)).unwrap();
     let headings = [0.3, 1.1].map(|angle: f64| Heading {
         cosine: angle.cos(),
         transverse: angle.sin(),
@@ -198,7 +206,7 @@ mod boundary_elements {
     fn assembly_and_factorisation(bencher: Bencher<'_, '_>, level: usize) {
         let model = Bem::new(level).unwrap();
         let gap = Gap::new(0.1).unwrap();
-        bencher.bench(|| model.solve(black_box(gap), 2).unwrap());
+        bencher.bench(|| model.solve(black_box(gap), LoadSet::all(2)).unwrap());
     }
 
     /// The dense factorisation alone, as large as the largest symmetry class.

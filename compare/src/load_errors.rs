@@ -1,7 +1,7 @@
 //! Errors of the loads of each method against the exact ones, from contact to far apart.
 
 use rayon::prelude::*;
-use scene::{Gap, Hydrodynamics, SceneError};
+use scene::{Gap, Hydrodynamics, LoadSet, SceneError};
 use serde::Serialize;
 
 use crate::{Method, Model};
@@ -28,7 +28,7 @@ fn gaps() -> impl Iterator<Item = f64> {
     (0..=60).map(|i| 10f64.powf(f64::from(i) / 12.0 - 3.0))
 }
 
-/// The errors of `models` against `exact` for the squirming modes 1 to `modes`, method by method.
+/// The errors of `models` against `exact` for the loads of `set`, method by method.
 ///
 /// Gaps outside a model's range are left out.
 ///
@@ -37,7 +37,7 @@ fn gaps() -> impl Iterator<Item = f64> {
 pub fn load_errors(
     models: &[&Model],
     exact: &Model,
-    modes: usize,
+    set: LoadSet,
 ) -> Result<Vec<LoadErrorRow>, SceneError> {
     let gaps: Vec<_> = gaps().collect();
     let pairs: Vec<_> = (models.iter().filter(|m| m.method() != Method::Exact))
@@ -50,8 +50,8 @@ pub fn load_errors(
             if model.range().check(gap).is_err() {
                 return Ok(Vec::new());
             }
-            let found = model.loads(gap, modes)?.named();
-            let truth = exact.loads(gap, modes)?.named();
+            let found = model.loads(gap, set)?.named();
+            let truth = exact.loads(gap, set)?.named();
             let row = |((name, value), (_, exact)): ((String, f64), (String, f64))| LoadErrorRow {
                 method: model.method().name(),
                 gap: eps,

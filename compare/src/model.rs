@@ -7,8 +7,8 @@ use bem::Bem;
 use exact::Exact;
 use lt::{Form, Lubrication};
 use scene::{
-    Gap, GapRange, Hydrodynamics, PairLoads, Run, RunOptions, Scene, SceneError, TableOptions,
-    TableSummary, Tabulated, run,
+    Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, Run, RunOptions, Scene, SceneError,
+    TableOptions, TableSummary, Tabulated, run,
 };
 
 use crate::progress::Progress;
@@ -25,8 +25,8 @@ pub const EXACT_TABLE_TOLERANCE: f64 = 1e-9;
 /// interpolates, and the exact loads have a limiting form of their own.
 pub(crate) const EXACT_TABLE_FROM: f64 = 1e-7;
 
-/// Squirming modes in the tables: all that `beta` calls for.
-const TABLE_MODES: usize = 2;
+/// Loads in the tables: all that `beta` calls for.
+const TABULATED: LoadSet = LoadSet::all(2);
 
 /// How the models are set up.
 #[derive(Clone, Debug, PartialEq)]
@@ -158,12 +158,12 @@ impl Hydrodynamics for Model {
         self.hydrodynamics().range()
     }
 
-    fn loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
-        self.hydrodynamics().loads(gap, modes)
+    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+        self.hydrodynamics().loads(gap, set)
     }
 
-    fn error_estimate(&self, gap: Gap, modes: usize) -> Result<f64, SceneError> {
-        self.hydrodynamics().error_estimate(gap, modes)
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
+        self.hydrodynamics().error_estimate(gap, set)
     }
 
     fn fingerprint(&self) -> String {
@@ -178,7 +178,7 @@ fn tabulate<M: Hydrodynamics>(
     options: &ModelOptions,
 ) -> Result<Tabulated<M>, CompareError> {
     let table = TableOptions {
-        modes: TABLE_MODES,
+        set: TABULATED,
         tolerance,
         smallest_gap,
     };

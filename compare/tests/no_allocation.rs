@@ -10,7 +10,7 @@ use std::alloc::System;
 use compare::{Approach, Case};
 use exact::Exact;
 use lt::{Form, Lubrication};
-use scene::{Gap, Hydrodynamics, RunOptions, TableOptions, Tabulated, run};
+use scene::{Gap, Hydrodynamics, LoadSet, RunOptions, TableOptions, Tabulated, run};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
 #[global_allocator]
@@ -52,13 +52,15 @@ fn allocates_nothing(name: &str, model: &impl Hydrodynamics) {
 fn trajectories_allocate_nothing() {
     allocates_nothing("lubrication", &Lubrication::new(Form::Published));
     let options = TableOptions {
-        modes: 2,
+        set: LoadSet::all(2),
         tolerance: 1e-6,
         smallest_gap: 1e-4,
     };
     let table = Tabulated::build(Exact::new(), options, &|_| ()).unwrap();
     // Below the table the exact loads have a limiting form, fitted when it is first asked for.
-    table.loads(Gap::new(1e-6).unwrap(), 2).unwrap();
+    table
+        .loads(Gap::new(1e-6).unwrap(), LoadSet::all(2))
+        .unwrap();
     // The counter sees what there is to see.
     let region = Region::new(COUNTING);
     let copy = std::hint::black_box(vec![1.0; 10]);

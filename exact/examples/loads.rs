@@ -4,7 +4,7 @@
 use std::time::Instant;
 
 use exact::Exact;
-use scene::{Gap, Hydrodynamics};
+use scene::{Gap, Hydrodynamics, LoadSet};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let exact = Exact::new();
@@ -12,13 +12,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let gap = Gap::new(argument.parse()?)?;
         for modes in [2, 8] {
             let start = Instant::now();
-            let loads = exact.loads(gap, modes)?;
+            let loads = exact.loads(gap, LoadSet::all(modes))?;
             let seconds = start.elapsed().as_secs_f64();
             println!(
                 "gap {argument}, {modes} modes: {:.3} ms, error estimate {:.1e}, residual {:.1e}",
                 1e3 * seconds,
-                exact.error_estimate(gap, modes)?,
-                exact.residual(gap, modes).unwrap_or(f64::NAN),
+                exact.error_estimate(gap, LoadSet::all(modes))?,
+                exact.residual(gap, LoadSet::all(modes)).unwrap_or(f64::NAN),
             );
             if modes == 2 {
                 for (name, value) in loads.named() {

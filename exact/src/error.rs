@@ -1,6 +1,6 @@
 //! What the crate can refuse or fail at.
 
-use scene::SceneError;
+use scene::{LoadSet, MAX_MODES, SceneError};
 
 /// Everything that this crate can refuse or fail at, with the offending numbers.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -61,4 +61,15 @@ impl From<ExactError> for SceneError {
             },
         }
     }
+}
+
+/// Refuses a set with more modes than loads hold.
+pub fn check(set: LoadSet) -> Result<(), ExactError> {
+    if set.modes > MAX_MODES {
+        return Err(ExactError::TooManyModes {
+            modes: set.modes,
+            allowed: MAX_MODES,
+        });
+    }
+    Ok(())
 }

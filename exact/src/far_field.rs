@@ -9,7 +9,7 @@
 //! `r`, because its pressure is multiplied by the distance from the mirror plane. The factors are
 //! fitted to the series' own loads at gaps where it loses none, and checked at gaps not fitted.
 
-use scene::{Gap, MAX_MODES, PairLoads};
+use scene::{Gap, LoadSet, PairLoads};
 
 use crate::ExactError;
 use crate::fit::{Fit, geometric, largest_error, sum};
@@ -22,7 +22,7 @@ const FITTED_GAPS: usize = 24;
 const POWERS: usize = 8;
 const CONTROL_GAPS: [f64; 3] = [77.0, 101.0, 333.0];
 
-/// The far form with its fitted factors, for all squirming modes.
+/// The far form with its fitted factors.
 #[derive(Clone, Debug)]
 pub struct FarField {
     fit: Fit,
@@ -30,21 +30,21 @@ pub struct FarField {
 }
 
 impl FarField {
-    /// Fits the form.
-    pub fn fit() -> Result<Self, ExactError> {
+    /// Fits the form for the loads of `set`.
+    pub fn fit(set: LoadSet) -> Result<Self, ExactError> {
         let gaps = geometric(FIT_FROM, FIT_TO, FITTED_GAPS);
-        let fit = Fit::new(&gaps, MAX_MODES, inverse_powers, |_, modes| {
-            PairLoads::isolated(modes)
+        let fit = Fit::new(&gaps, set, inverse_powers, |_, set| {
+            PairLoads::isolated(set)
         })?;
         let mut form = Self { fit, error: 0.0 };
-        form.error = largest_error(&CONTROL_GAPS, MAX_MODES, |gap| form.loads(gap, MAX_MODES))?;
+        form.error = largest_error(&CONTROL_GAPS, set, |gap| form.loads(gap, set))?;
         Ok(form)
     }
 
-    /// The loads at `gap`, of up to [`MAX_MODES`] modes.
-    pub fn loads(&self, gap: Gap, modes: usize) -> PairLoads {
-        let interaction = self.fit.combine(&inverse_powers(gap), modes);
-        sum(&PairLoads::isolated(modes), &interaction, modes)
+    /// The loads at `gap`, of a set that was fitted.
+    pub fn loads(&self, gap: Gap, set: LoadSet) -> PairLoads {
+        let interaction = self.fit.combine(&inverse_powers(gap), set);
+        sum(&PairLoads::isolated(set), &interaction, set)
     }
 
     /// Largest difference from the series at gaps not fitted, relative to the larger of the load

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 use rayon::prelude::*;
-use scene::{Gap, MAX_MODES, PairLoads};
+use scene::{Gap, LoadSet, MAX_MODES, PairLoads};
 
 use crate::ExactError;
 use crate::series::Solved;
@@ -11,7 +11,7 @@ use crate::series::Solved;
 #[derive(Clone, Debug)]
 pub struct Fit {
     factors: DMatrix<f64>,
-    modes: usize,
+    set: LoadSet,
 }
 
 /// The functions of the gap that a form is a combination of.
@@ -22,17 +22,17 @@ impl Fit {
     /// rounding leaves of it.
     pub fn new(
         gaps: &[Gap],
-        modes: usize,
+        set: LoadSet,
         functions: Functions,
-        known: fn(Gap, usize) -> PairLoads,
+        known: fn(Gap, LoadSet) -> PairLoads,
     ) -> Result<Self, ExactError> {
         let rows: Vec<Vec<f64>> = gaps.iter().map(|gap| functions(*gap)).collect();
         let loads: Vec<PairLoads> = gaps
             .par_iter()
-            .map(|gap| Ok(Solved::new(gap.eps(), modes, 1.0)?.loads()))
+            .map(|gap| Ok(Solved::new(gap.eps(), set, 1.0)?.loads()))
             .collect::<Result<_, ExactError>>()?;
         let targets = gaps.iter().zip(&loads).map(|(gap, loads)| {
-            let known = known(*gap, modes);
+            let known = known(*gap, set);
             loads
                 .columns()
                 .zip(known.columns())
@@ -42,21 +42,25 @@ impl Fit {
         let targets: Vec<Vec<f64>> = targets.collect();
         let sizes: Vec<Vec<f64>> = loads.iter().map(|l| l.columns().collect()).collect();
         let count = rows.first().map_or(0, Vec::len);
-        let mut factors = DMatrix::zeros(count, PairLoads::column_count(modes));
+        let mut factors = DMatrix::zeros(count, set.column_count());
         for column in 0..factors.ncols() {
             let weight = |i: usize| 1.0 / sizes[i][column].abs().max(1.0);
             let matrix = DMatrix::from_fn(gaps.len(), count, |i, j| weight(i) * rows[i][j]);
             let target = DMatrix::from_fn(gaps.len(), 1, |i, _| weight(i) * targets[i][column]);
             factors.set_column(column, &least_squares(matrix, &target)?.column(0));
         }
-        Ok(Self { factors, modes })
+        Ok(Self { factors, set })
     }
 
-    /// The combination of the values of the functions, for the first `modes` modes.
-    pub fn combine(&self, functions: &[f64], modes: usize) -> PairLoads {
+    /// The combination of the values of the functions, for the loads of `set`, which must be among those fitted.
+    pub fn combine(&self, functions: &[f64], set: LoadSet) -> PairLoads {
         // On the stack: a trajectory's step may ask for this.
-        let mut columns = [0.0; PairLoads::column_count(MAX_MODES)];
-        let asked = PairLoads::column_count(modes);
+        let mut columns = [0.0; LoadSet::all(MAX_MODES).column_count()];
+        let asked = LoadSet {
+            modes: set.modes,
+            ..self.set
+        }
+        .column_count();
         for (column, factors) in columns
             .iter_mut()
             .zip(self.factors.column_iter())
@@ -68,13 +72,13 @@ impl Fit {
                 .map(|(f, c)| f * c)
                 .sum();
         }
-        PairLoads::from_columns(modes, &columns)
+        PairLoads::from_columns(set, self.set, &columns)
     }
 
     /// The factors of the function number `index`.
     pub fn factors(&self, index: usize) -> PairLoads {
         let row: Vec<f64> = self.factors.row(index).iter().copied().collect();
-        PairLoads::from_columns(self.modes, &row)
+        PairLoads::from_columns(self.set, self.set, &row)
     }
 }
 
@@ -107,12 +111,12 @@ pub fn geometric(from: f64, to: f64, count: usize) -> Vec<Gap> {
 /// Largest difference of `form` from the series at `gaps`, relative to the larger of load and 1.
 pub fn largest_error(
     gaps: &[f64],
-    modes: usize,
+    set: LoadSet,
     form: impl Fn(Gap) -> PairLoads + Sync,
 ) -> Result<f64, ExactError> {
     gaps.par_iter()
         .map(|eps| {
-            let series = Solved::new(*eps, modes, 1.0)?.loads();
+            let series = Solved::new(*eps, set, 1.0)?.loads();
             Ok(relative_distance(&form(Gap::from_ln(eps.ln())), &series))
         })
         .try_reduce(|| 0.0, |a, b| Ok(a.max(b)))
@@ -127,12 +131,11 @@ pub fn relative_distance(a: &PairLoads, b: &PairLoads) -> f64 {
 }
 
 /// `a + b`, load by load.
-pub fn sum(a: &PairLoads, b: &PairLoads, modes: usize) -> PairLoads {
-    let mut columns = [0.0; PairLoads::column_count(MAX_MODES)];
-    let asked = PairLoads::column_count(modes);
+pub fn sum(a: &PairLoads, b: &PairLoads, set: LoadSet) -> PairLoads {
+    let mut columns = [0.0; LoadSet::all(MAX_MODES).column_count()];
     let both = a.columns().zip(b.columns());
-    for (column, (a, b)) in columns.iter_mut().zip(both).take(asked) {
+    for (column, (a, b)) in columns.iter_mut().zip(both) {
         *column = a + b;
     }
-    PairLoads::from_columns(modes, &columns)
+    PairLoads::from_columns(set, set, &columns)
 }

@@ -2,9 +2,10 @@
 
 use std::sync::OnceLock;
 
-use scene::{Gap, GapRange, Hydrodynamics, MAX_MODES, PairLoads, SceneError};
+use scene::{Gap, GapRange, Hydrodynamics, LoadSet, MAX_MODES, PairLoads, SceneError};
 
 use crate::ExactError;
+use crate::error::check;
 use crate::far_field::{FarField, SERIES_TO};
 use crate::fit::relative_distance;
 use crate::geometry::Geometry;
@@ -25,16 +26,17 @@ const ROUNDING: f64 = 1e-14;
 ///
 /// ```
 /// use exact::Exact;
-/// use scene::{Gap, Hydrodynamics};
-/// let loads = Exact::new().loads(Gap::new(1.0)?, 2)?;
+/// use scene::{Gap, Hydrodynamics, LoadSet};
+/// let loads = Exact::new().loads(Gap::new(1.0)?, LoadSet::all(2))?;
 /// assert!((loads.xa.own() - 1.3684796).abs() < 1e-7);
 /// # Ok::<(), scene::SceneError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Exact {
     factor: f64,
-    near_contact: OnceLock<NearContact>,
-    far_field: OnceLock<FarField>,
+    /// The limiting forms without and with transverse loads, for all squirming modes.
+    near_contact: [OnceLock<NearContact>; 2],
+    far_field: [OnceLock<FarField>; 2],
 }
 
 /// Which form answers at a gap.
@@ -56,8 +58,8 @@ impl Exact {
     pub fn new() -> Self {
         Self {
             factor: 1.0,
-            near_contact: OnceLock::new(),
-            far_field: OnceLock::new(),
+            near_contact: Default::default(),
+            far_field: Default::default(),
         }
     }
 
@@ -76,12 +78,12 @@ impl Exact {
         }
     }
 
-    /// Highest degree of the series at `gap` for `modes` squirming modes.
+    /// Highest degree of the series at `gap` for the loads of `set`.
     ///
     /// # Errors
     /// [`ExactError::TooManyTerms`] at a gap too small for the series.
-    pub fn terms(&self, gap: Gap, modes: usize) -> Result<usize, ExactError> {
-        Ok(Geometry::new(gap.eps(), modes, self.factor)?.degree)
+    pub fn terms(&self, gap: Gap, set: LoadSet) -> Result<usize, ExactError> {
+        Ok(Geometry::new(gap.eps(), set.modes, self.factor)?.degree)
     }
 
     /// The loads by the series, also where [`Hydrodynamics::loads`] takes the asymptotic form.
@@ -89,27 +91,28 @@ impl Exact {
     /// # Errors
     /// [`ExactError::TooManyTerms`] at a gap too small for the series,
     /// [`ExactError::TooManyModes`].
-    pub fn series_loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, ExactError> {
-        Ok(Solved::new(gap.eps(), modes, self.factor)?.loads())
+    pub fn series_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, ExactError> {
+        Ok(Solved::new(gap.eps(), set, self.factor)?.loads())
     }
 
     /// The loads by the asymptotic form, whatever the gap.
     ///
     /// # Errors
     /// [`ExactError::TooManyModes`].
-    pub fn near_contact_loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, ExactError> {
-        check_modes(modes)?;
-        Ok(self.near_contact()?.loads(gap, modes))
+    pub fn near_contact_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, ExactError> {
+        check(set)?;
+        Ok(self.near_contact(set)?.loads(gap, set))
     }
 
     /// What is left of the loads at contact when their singular parts are taken out.
     ///
     /// # Errors
     /// [`ExactError::TooManyModes`].
-    pub fn contact_constants(&self, modes: usize) -> Result<PairLoads, ExactError> {
-        check_modes(modes)?;
-        let columns: Vec<f64> = self.near_contact()?.constants().columns().collect();
-        Ok(PairLoads::from_columns(modes, &columns))
+    pub fn contact_constants(&self, set: LoadSet) -> Result<PairLoads, ExactError> {
+        check(set)?;
+        let constants = self.near_contact(set)?.constants();
+        let columns: Vec<f64> = constants.columns().collect();
+        Ok(PairLoads::from_columns(set, constants.set(), &columns))
     }
 
     /// The factors of `L = ln(1/eps)` in the loads, fitted freely to the series at gaps between
@@ -117,8 +120,8 @@ impl Exact {
     ///
     /// # Errors
     /// [`ExactError::TooManyModes`].
-    pub fn log_slopes(&self, modes: usize) -> Result<PairLoads, ExactError> {
-        near_contact::log_slopes(modes)
+    pub fn log_slopes(&self, set: LoadSet) -> Result<PairLoads, ExactError> {
+        near_contact::log_slopes(set)
     }
 
     /// Largest difference between the flow and its boundary velocity (of order 1) at surface points
@@ -127,33 +130,50 @@ impl Exact {
     ///
     /// # Errors
     /// As [`Self::series_loads`].
-    pub fn residual(&self, gap: Gap, modes: usize) -> Result<f64, ExactError> {
-        Ok(Solved::new(gap.eps(), modes, self.factor)?.residual(RESIDUAL_POINTS))
+    pub fn residual(&self, gap: Gap, set: LoadSet) -> Result<f64, ExactError> {
+        Ok(Solved::new(gap.eps(), set, self.factor)?.residual(RESIDUAL_POINTS))
     }
 
-    fn near_contact(&self) -> Result<&NearContact, ExactError> {
-        get_or_fit(&self.near_contact, NearContact::fit)
+    fn near_contact(&self, set: LoadSet) -> Result<&NearContact, ExactError> {
+        let whole = whole(set);
+        get_or_fit(&self.near_contact[kind(set)], || NearContact::fit(whole))
     }
 
-    fn form(&self, gap: Gap) -> Result<Form<'_>, ExactError> {
+    fn form(&self, gap: Gap, set: LoadSet) -> Result<Form<'_>, ExactError> {
         Ok(if gap.eps() < SERIES_FROM {
-            Form::NearContact(self.near_contact()?)
+            Form::NearContact(self.near_contact(set)?)
         } else if gap.eps() > SERIES_TO {
-            Form::FarField(get_or_fit(&self.far_field, FarField::fit)?)
+            let whole = whole(set);
+            Form::FarField(get_or_fit(&self.far_field[kind(set)], || {
+                FarField::fit(whole)
+            })?)
         } else {
             Form::Series
         })
     }
 
     /// What half as many terms again change, or two formulas for one load disagree by, or rounding.
-    fn series_error(&self, gap: Gap, modes: usize) -> Result<f64, ExactError> {
-        let solved = Solved::new(gap.eps(), modes, self.factor)?;
+    fn series_error(&self, gap: Gap, set: LoadSet) -> Result<f64, ExactError> {
+        let solved = Solved::new(gap.eps(), set, self.factor)?;
         let loads = solved.loads();
-        let finer = Solved::new(gap.eps(), modes, 1.5 * self.factor)?.loads();
+        let finer = Solved::new(gap.eps(), set, 1.5 * self.factor)?.loads();
         let by_terms = relative_distance(&loads, &finer);
         let by_formula = relative_distance(&loads, &solved.loads_by_second_formula());
         let by_rounding = ROUNDING * (1.0 / gap.eps()).max(1.0);
         Ok(by_terms.max(by_formula).max(by_rounding))
+    }
+}
+
+/// Which of the limiting forms serves for a set.
+fn kind(set: LoadSet) -> usize {
+    usize::from(set.transverse)
+}
+
+/// All loads of the kind of a set.
+fn whole(set: LoadSet) -> LoadSet {
+    LoadSet {
+        transverse: set.transverse,
+        ..LoadSet::all(MAX_MODES)
     }
 }
 
@@ -172,16 +192,6 @@ fn get_or_fit<T>(
     }
 }
 
-fn check_modes(modes: usize) -> Result<(), ExactError> {
-    if modes > MAX_MODES {
-        return Err(ExactError::TooManyModes {
-            modes,
-            allowed: MAX_MODES,
-        });
-    }
-    Ok(())
-}
-
 impl Hydrodynamics for Exact {
     fn range(&self) -> GapRange {
         GapRange {
@@ -190,22 +200,22 @@ impl Hydrodynamics for Exact {
         }
     }
 
-    fn loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
+    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         self.range().check(gap)?;
-        check_modes(modes)?;
-        match self.form(gap)? {
-            Form::NearContact(form) => Ok(form.loads(gap, modes)),
-            Form::Series => Ok(self.series_loads(gap, modes)?),
-            Form::FarField(form) => Ok(form.loads(gap, modes)),
+        check(set)?;
+        match self.form(gap, set)? {
+            Form::NearContact(form) => Ok(form.loads(gap, set)),
+            Form::Series => Ok(self.series_loads(gap, set)?),
+            Form::FarField(form) => Ok(form.loads(gap, set)),
         }
     }
 
-    fn error_estimate(&self, gap: Gap, modes: usize) -> Result<f64, SceneError> {
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
         self.range().check(gap)?;
-        check_modes(modes)?;
-        match self.form(gap)? {
+        check(set)?;
+        match self.form(gap, set)? {
             Form::NearContact(form) => Ok(form.error()),
-            Form::Series => Ok(self.series_error(gap, modes)?),
+            Form::Series => Ok(self.series_error(gap, set)?),
             Form::FarField(form) => Ok(form.error()),
         }
     }

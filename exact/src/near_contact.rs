@@ -10,7 +10,7 @@
 //! nor the omitted `eps^5 L` matter. The error is measured at gaps that were not fitted, one of
 //! them below the fit.
 
-use scene::{Gap, MAX_MODES, PairLoads, singular};
+use scene::{Gap, LoadSet, PairLoads, singular};
 
 use crate::ExactError;
 use crate::fit::{Fit, geometric, largest_error, sum};
@@ -22,7 +22,7 @@ const FITTED_GAPS: usize = 60;
 const POWERS: usize = 4;
 const CONTROL_GAPS: [f64; 3] = [5e-5, 1.3e-4, 7.7e-4];
 
-/// The asymptotic form with its fitted constants, for all squirming modes.
+/// The asymptotic form with its fitted constants.
 #[derive(Clone, Debug)]
 pub struct NearContact {
     fit: Fit,
@@ -30,19 +30,19 @@ pub struct NearContact {
 }
 
 impl NearContact {
-    /// Fits the form.
-    pub fn fit() -> Result<Self, ExactError> {
+    /// Fits the form for the loads of `set`.
+    pub fn fit(set: LoadSet) -> Result<Self, ExactError> {
         let gaps = geometric(SERIES_FROM, FIT_TO, FITTED_GAPS);
-        let fit = Fit::new(&gaps, MAX_MODES, regular_functions, diverging)?;
+        let fit = Fit::new(&gaps, set, regular_functions, diverging)?;
         let mut form = Self { fit, error: 0.0 };
-        form.error = largest_error(&CONTROL_GAPS, MAX_MODES, |gap| form.loads(gap, MAX_MODES))?;
+        form.error = largest_error(&CONTROL_GAPS, set, |gap| form.loads(gap, set))?;
         Ok(form)
     }
 
-    /// The loads at `gap`, of up to [`MAX_MODES`] modes.
-    pub fn loads(&self, gap: Gap, modes: usize) -> PairLoads {
-        let regular = self.fit.combine(&powers(gap), modes);
-        sum(&diverging(gap, modes), &regular, modes)
+    /// The loads at `gap`, of a set that was fitted.
+    pub fn loads(&self, gap: Gap, set: LoadSet) -> PairLoads {
+        let regular = self.fit.combine(&powers(gap), set);
+        sum(&diverging(gap, set), &regular, set)
     }
 
     /// What is left of the loads at contact when their singular parts are taken out.
@@ -59,17 +59,17 @@ impl NearContact {
 
 /// The factors of `L` fitted freely to the loads at gaps between 1e-4 and 1e-3, with nothing known
 /// beforehand but the form `s L + c + eps (l L + b) + k/eps`.
-pub fn log_slopes(modes: usize) -> Result<PairLoads, ExactError> {
+pub fn log_slopes(set: LoadSet) -> Result<PairLoads, ExactError> {
     let gaps = geometric(SERIES_FROM, 1e-3, 10);
-    let fit = Fit::new(&gaps, modes, singular_functions, |_, modes| {
-        PairLoads::zero(modes)
+    let fit = Fit::new(&gaps, set, singular_functions, |_, set| {
+        PairLoads::zero(set)
     })?;
     Ok(fit.factors(0))
 }
 
 /// The known diverging parts.
-fn diverging(gap: Gap, modes: usize) -> PairLoads {
-    singular::loads(gap, modes, singular::AXIAL_SQUIRMING)
+fn diverging(gap: Gap, set: LoadSet) -> PairLoads {
+    singular::loads(gap, set, singular::AXIAL_SQUIRMING)
 }
 
 /// `1, eps L, eps, eps^2 L, eps^2, ...`.

@@ -5,10 +5,11 @@
 //! transverse torques; so the sum of the scalars of sphere 1 and 2 is the odd problem there, the
 //! even one for transverse forces and axial torques.
 
-use scene::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
+use scene::{LoadSet, PairLoads, SelfOther};
 
 use crate::ExactError;
 use crate::axial::Axial;
+use crate::error::check;
 use crate::field::{SurfacePoint, axial_residual, scattered_points, transverse_residual};
 use crate::geometry::{Geometry, Parity};
 use crate::transverse::{ROTATION, TRANSLATION, Transverse};
@@ -17,9 +18,9 @@ use crate::twist;
 /// The solved problems of one gap.
 pub struct Solved {
     geometry: Geometry,
-    modes: usize,
+    set: LoadSet,
     axial: EvenOdd<Axial>,
-    transverse: EvenOdd<Transverse>,
+    transverse: Option<EvenOdd<Transverse>>,
 }
 
 struct EvenOdd<T> {
@@ -52,38 +53,38 @@ impl<T> EvenOdd<T> {
 
 impl Solved {
     /// Solves at the gap `eps`, with `factor` times the terms that reach rounding.
-    pub fn new(eps: f64, modes: usize, factor: f64) -> Result<Self, ExactError> {
-        if modes > MAX_MODES {
-            return Err(ExactError::TooManyModes {
-                modes,
-                allowed: MAX_MODES,
-            });
-        }
+    pub fn new(eps: f64, set: LoadSet, factor: f64) -> Result<Self, ExactError> {
+        check(set)?;
+        let modes = set.modes;
         let geometry = Geometry::new(eps, modes, factor)?;
+        let across = || EvenOdd::new(|parity| Transverse::solve(geometry, parity, modes));
         Ok(Self {
             geometry,
-            modes,
+            set,
             axial: EvenOdd::new(|parity| Axial::solve(geometry, parity, modes))?,
-            transverse: EvenOdd::new(|parity| Transverse::solve(geometry, parity, modes))?,
+            transverse: set.transverse.then(across).transpose()?,
         })
     }
 
     /// The loads.
     pub fn loads(&self) -> PairLoads {
-        let mut loads = PairLoads::zero(self.modes);
-        let transverse = &self.transverse;
+        let mut loads = PairLoads::zero(self.set);
         loads.xa = self.axial.odd_is_sum(|a| a.force(0) / -6.0);
-        loads.ya = transverse.even_is_sum(|t| t.force(TRANSLATION) / -6.0);
-        // The force by rotation has fewer cancelling terms than the torque by translation.
-        loads.yb = transverse.even_is_sum(|t| t.force(ROTATION) / 4.0);
-        loads.xc = twist::axial_rotation(&self.geometry);
-        loads.yc = transverse.odd_is_sum(|t| t.torque(ROTATION) / -8.0);
         for (k, mode) in loads.modes_mut().iter_mut().enumerate() {
-            *mode = ModeLoads {
-                xf: self.axial.odd_is_sum(|a| a.force(1 + k)),
-                yf: transverse.even_is_sum(|t| t.force(2 + k)),
-                yt: transverse.odd_is_sum(|t| t.torque(2 + k)),
-            };
+            mode.xf = self.axial.odd_is_sum(|a| a.force(1 + k));
+        }
+        if self.set.twist {
+            loads.xc = twist::axial_rotation(&self.geometry);
+        }
+        if let Some(transverse) = &self.transverse {
+            loads.ya = transverse.even_is_sum(|t| t.force(TRANSLATION) / -6.0);
+            // The force by rotation has fewer cancelling terms than the torque by translation.
+            loads.yb = transverse.even_is_sum(|t| t.force(ROTATION) / 4.0);
+            loads.yc = transverse.odd_is_sum(|t| t.torque(ROTATION) / -8.0);
+            for (k, mode) in loads.modes_mut().iter_mut().enumerate() {
+                mode.yf = transverse.even_is_sum(|t| t.force(2 + k));
+                mode.yt = transverse.odd_is_sum(|t| t.torque(2 + k));
+            }
         }
         loads
     }
@@ -92,11 +93,12 @@ impl Solved {
     /// from the torque by translation instead of the force by rotation.
     pub fn loads_by_second_formula(&self) -> PairLoads {
         let mut loads = self.loads();
-        let transverse = &self.transverse;
-        loads.yb = transverse.even_is_sum(|t| t.torque(TRANSLATION) / 4.0);
-        loads.yc = transverse.odd_is_sum(|t| t.torque_by_axial_field(ROTATION) / -8.0);
-        for (k, mode) in loads.modes_mut().iter_mut().enumerate() {
-            mode.yt = transverse.odd_is_sum(|t| t.torque_by_axial_field(2 + k));
+        if let Some(transverse) = &self.transverse {
+            loads.yb = transverse.even_is_sum(|t| t.torque(TRANSLATION) / 4.0);
+            loads.yc = transverse.odd_is_sum(|t| t.torque_by_axial_field(ROTATION) / -8.0);
+            for (k, mode) in loads.modes_mut().iter_mut().enumerate() {
+                mode.yt = transverse.odd_is_sum(|t| t.torque_by_axial_field(2 + k));
+            }
         }
         loads
     }
@@ -111,8 +113,11 @@ impl Solved {
             .map(|mu| SurfacePoint::new(self.geometry, mu))
             .collect();
         let axial = [&self.axial.even, &self.axial.odd].map(|flow| axial_residual(flow, &points));
-        let transverse = [&self.transverse.even, &self.transverse.odd]
-            .map(|flow| transverse_residual(flow, &points));
+        let transverse = (self
+            .transverse
+            .iter()
+            .flat_map(|flows| [&flows.even, &flows.odd]))
+        .map(|flow| transverse_residual(flow, &points));
         axial.into_iter().chain(transverse).fold(0.0, f64::max)
     }
 }

@@ -5,7 +5,7 @@ mod common;
 use std::time::{Duration, Instant};
 
 use exact::Exact;
-use scene::Hydrodynamics;
+use scene::{Hydrodynamics, LoadSet};
 
 use common::{at, distance};
 
@@ -23,8 +23,8 @@ fn doubling_the_number_of_terms_changes_nothing() {
         (1e-4, 1e-6),
     ] {
         for modes in [2, 8] {
-            let loads = single.series_loads(at(eps), modes).unwrap();
-            let finer = double.series_loads(at(eps), modes).unwrap();
+            let loads = single.series_loads(at(eps), LoadSet::all(modes)).unwrap();
+            let finer = double.series_loads(at(eps), LoadSet::all(modes)).unwrap();
             let change = distance(&loads, &finer);
             println!("gap {eps:e}, {modes} modes: {change:.1e}");
             assert!(change < tolerance, "{eps}: {change:e}");
@@ -41,7 +41,7 @@ fn the_flow_keeps_its_boundary_values_at_points_that_were_not_fitted() {
         (0.01, 1e-10),
         (1e-3, 1e-8),
     ] {
-        let residual = Exact::new().residual(at(eps), 8).unwrap();
+        let residual = Exact::new().residual(at(eps), LoadSet::all(8)).unwrap();
         println!("gap {eps:e}: {residual:.1e}");
         assert!(residual < tolerance, "{eps}: {residual:e}");
     }
@@ -51,13 +51,13 @@ fn the_flow_keeps_its_boundary_values_at_points_that_were_not_fitted() {
 fn too_few_terms_show_in_the_residual_and_in_the_error_estimate() {
     let coarse = Exact::with_terms(0.25).unwrap();
     let gap = at(0.01);
-    let loads = coarse.loads(gap, 2).unwrap();
-    let truth = Exact::new().loads(gap, 2).unwrap();
+    let loads = coarse.loads(gap, LoadSet::all(2)).unwrap();
+    let truth = Exact::new().loads(gap, LoadSet::all(2)).unwrap();
     let error = distance(&loads, &truth);
-    let estimate = coarse.error_estimate(gap, 2).unwrap();
+    let estimate = coarse.error_estimate(gap, LoadSet::all(2)).unwrap();
     println!("{error:e} {estimate:e}");
     assert!(error > 1e-8);
-    assert!(coarse.residual(gap, 2).unwrap() > 1e-4);
+    assert!(coarse.residual(gap, LoadSet::all(2)).unwrap() > 1e-4);
     assert!(
         estimate > 0.3 * error && estimate < 30.0 * error,
         "{estimate:e} {error:e}"
@@ -68,7 +68,7 @@ fn too_few_terms_show_in_the_residual_and_in_the_error_estimate() {
 fn the_error_estimate_stays_below_a_nanometre_a_metre() {
     let exact = Exact::new();
     for eps in [1e-12, 1e-6, 1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0, 1e3, 1e9] {
-        let estimate = exact.error_estimate(at(eps), 8).unwrap();
+        let estimate = exact.error_estimate(at(eps), LoadSet::all(8)).unwrap();
         println!("gap {eps:e}: {estimate:.1e}");
         assert!(estimate < 1e-9, "{eps}: {estimate:e}");
     }
@@ -80,7 +80,7 @@ fn best_time(eps: f64, modes: usize) -> Duration {
     (0..5)
         .map(|_| {
             let start = Instant::now();
-            exact.loads(at(eps), modes).expect("loads");
+            exact.loads(at(eps), LoadSet::all(modes)).expect("loads");
             start.elapsed()
         })
         .min()
@@ -104,7 +104,7 @@ fn regress_the_reference_table_is_reproduced() {
         let mut next = || cells.next().unwrap();
         let (eps, name, value): (f64, _, f64) =
             (next().parse().unwrap(), next(), next().parse().unwrap());
-        let loads = exact.loads(at(eps), 2).unwrap().named();
+        let loads = exact.loads(at(eps), LoadSet::all(2)).unwrap().named();
         let own = loads.iter().find(|l| l.0 == name).unwrap().1;
         assert!(
             (own - value).abs() < 1e-11 * value.abs().max(1.0),

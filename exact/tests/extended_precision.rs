@@ -1,7 +1,7 @@
 //! The same recurrences in 80-bit arithmetic (a separate program), where close spheres cost digits.
 
 use exact::Exact;
-use scene::{Gap, Hydrodynamics};
+use scene::{Gap, Hydrodynamics, LoadSet};
 
 /// Gap, then sum and difference of XA, YA, YB, YC, XF_1, YF_1, YT_1, XF_8, YF_8, YT_8.
 const EXTENDED: [(f64, [f64; 20]); 3] = [
@@ -86,7 +86,9 @@ const EXTENDED: [(f64, [f64; 20]); 3] = [
 fn loads_near_contact_are_those_of_80_bit_arithmetic() {
     let exact = Exact::new();
     for (eps, expected) in EXTENDED {
-        let loads = exact.loads(Gap::new(eps).unwrap(), 8).unwrap();
+        let loads = exact
+            .loads(Gap::new(eps).unwrap(), LoadSet::all(8))
+            .unwrap();
         let (first, last) = (loads.modes()[0], loads.modes()[7]);
         let rigid = [loads.xa, loads.ya, loads.yb, loads.yc];
         let own = rigid

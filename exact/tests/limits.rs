@@ -5,7 +5,7 @@ mod common;
 use std::sync::LazyLock;
 
 use exact::{Exact, SERIES_FROM, SERIES_TO};
-use scene::{Gap, Hydrodynamics, PairLoads, SceneError};
+use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, SceneError};
 
 use common::{at, distance};
 
@@ -39,13 +39,13 @@ const CONTACT_CONSTANTS: [(&str, f64, f64); 22] = [
 /// One model for all tests, its near-contact form fitted once.
 static EXACT: LazyLock<Exact> = LazyLock::new(|| {
     let exact = Exact::new();
-    exact.contact_constants(0).expect("a fit");
+    exact.contact_constants(LoadSet::all(0)).expect("a fit");
     exact
 });
 
 #[test]
 fn val_contact_constants_are_those_of_multipole_collocation() {
-    let constants = EXACT.contact_constants(2).unwrap();
+    let constants = EXACT.contact_constants(LoadSet::all(2)).unwrap();
     for ((name, own), (expected_name, expected, digit)) in
         constants.named().into_iter().zip(CONTACT_CONSTANTS)
     {
@@ -58,20 +58,20 @@ fn val_contact_constants_are_those_of_multipole_collocation() {
 #[test]
 fn touching_spheres_that_fall_along_their_centre_line_have_a_drag_of_0_645141() {
     // Cooley & O'Neill, Mathematika 16 (1969) 37: 0.645 14.
-    let constants = EXACT.contact_constants(0).unwrap();
+    let constants = EXACT.contact_constants(LoadSet::all(0)).unwrap();
     assert!((constants.xa.sum - 0.645_141).abs() < 1e-6);
 }
 
 #[test]
 fn touching_spheres_that_twist_oppositely_have_a_torque_of_zeta_of_three() {
-    let constants = EXACT.contact_constants(0).unwrap();
+    let constants = EXACT.contact_constants(LoadSet::all(0)).unwrap();
     assert!((constants.xc.difference - 1.202_056_903_159_594).abs() < 1e-10);
     assert!((constants.xc.sum - 0.75 * 1.202_056_903_159_594).abs() < 1e-10);
 }
 
 #[test]
 fn squirming_loads_grow_with_the_logarithm_of_the_gap_as_3_1_and_8_and_2_fifths() {
-    let slopes = EXACT.log_slopes(3).unwrap();
+    let slopes = EXACT.log_slopes(LoadSet::all(3)).unwrap();
     println!("{:?}", slopes.named());
     for mode in slopes.modes() {
         for (slope, expected) in [
@@ -94,8 +94,8 @@ fn squirming_loads_grow_with_the_logarithm_of_the_gap_as_3_1_and_8_and_2_fifths(
 fn the_asymptotic_form_continues_the_series_below_where_it_takes_over() {
     let exact = &*EXACT;
     for eps in [9e-5, 3e-5, 1e-5] {
-        let series = exact.series_loads(at(eps), 8).unwrap();
-        let form = exact.loads(at(eps), 8).unwrap();
+        let series = exact.series_loads(at(eps), LoadSet::all(8)).unwrap();
+        let form = exact.loads(at(eps), LoadSet::all(8)).unwrap();
         println!("{eps:e}: {:.1e}", distance(&form, &series));
         // The series' own rounding grows as 1/eps.
         assert!(distance(&form, &series) < 3e-14 / eps + 1e-10, "{eps}");
@@ -106,8 +106,12 @@ fn the_asymptotic_form_continues_the_series_below_where_it_takes_over() {
 fn loads_do_not_jump_where_one_form_hands_over_to_another() {
     let exact = &*EXACT;
     for (seam, tolerance) in [(SERIES_FROM, 2e-10), (SERIES_TO, 1e-13)] {
-        let below = exact.loads(Gap::from_ln(seam.ln() - 1e-13), 8).unwrap();
-        let above = exact.loads(Gap::from_ln(seam.ln() + 1e-13), 8).unwrap();
+        let below = exact
+            .loads(Gap::from_ln(seam.ln() - 1e-13), LoadSet::all(8))
+            .unwrap();
+        let above = exact
+            .loads(Gap::from_ln(seam.ln() + 1e-13), LoadSet::all(8))
+            .unwrap();
         println!("{seam:e}: {:.1e}", distance(&below, &above));
         assert!(distance(&below, &above) < tolerance + 4e-13, "{seam}");
     }
@@ -115,16 +119,16 @@ fn loads_do_not_jump_where_one_form_hands_over_to_another() {
 
 #[test]
 fn two_spheres_far_apart_do_not_interact() {
-    let loads = EXACT.loads(at(1e12), 8).unwrap();
-    assert!(distance(&loads, &PairLoads::isolated(8)) < 1e-11);
-    let infinite = EXACT.loads(Gap::from_ln(800.0), 8).unwrap();
-    assert!(distance(&infinite, &PairLoads::isolated(8)) < 1e-14);
+    let loads = EXACT.loads(at(1e12), LoadSet::all(8)).unwrap();
+    assert!(distance(&loads, &PairLoads::isolated(LoadSet::all(8))) < 1e-11);
+    let infinite = EXACT.loads(Gap::from_ln(800.0), LoadSet::all(8)).unwrap();
+    assert!(distance(&infinite, &PairLoads::isolated(LoadSet::all(8))) < 1e-14);
 }
 
 #[test]
 fn distant_spheres_drag_each_other_by_a_stokeslet() {
     let gap = at(1e4);
-    let (r, loads) = (gap.distance(), EXACT.loads(gap, 1).unwrap());
+    let (r, loads) = (gap.distance(), EXACT.loads(gap, LoadSet::all(1)).unwrap());
     assert!((loads.xa.other() * r + 1.5).abs() < 1e-6);
     assert!((loads.ya.other() * r + 0.75).abs() < 1e-6);
     assert!((loads.yb.other() * r * r - 1.5).abs() < 1e-3);
@@ -134,10 +138,10 @@ fn distant_spheres_drag_each_other_by_a_stokeslet() {
 #[test]
 fn a_pair_that_moves_as_one_body_feels_no_lubrication() {
     let exact = &*EXACT;
-    let contact = exact.contact_constants(0).unwrap();
+    let contact = exact.contact_constants(LoadSet::all(0)).unwrap();
     for eps in [1e-9, 1e-6, 1e-3] {
         let gap = at(eps);
-        let loads = exact.loads(gap, 0).unwrap();
+        let loads = exact.loads(gap, LoadSet::all(0)).unwrap();
         // Along the line of centres, and twist.
         assert!((loads.xa.sum - contact.xa.sum).abs() < 20.0 * eps);
         assert!((loads.xc.sum - contact.xc.sum).abs() < 20.0 * eps);
@@ -156,7 +160,7 @@ fn a_pair_that_moves_as_one_body_feels_no_lubrication() {
 
 #[test]
 fn modes_beyond_the_first_do_not_propel_a_lone_squirmer() {
-    let loads = EXACT.loads(at(1e3), 8).unwrap();
+    let loads = EXACT.loads(at(1e3), LoadSet::all(8)).unwrap();
     for mode in &loads.modes()[1..] {
         assert!(mode.xf.own().abs() < 1e-5 && mode.yf.own().abs() < 1e-5);
         assert!(mode.yt.own().abs() < 1e-5);
@@ -164,21 +168,39 @@ fn modes_beyond_the_first_do_not_propel_a_lone_squirmer() {
 }
 
 #[test]
+fn a_part_of_the_loads_has_the_bits_of_all() {
+    for eps in [1e-5, 0.1, 300.0] {
+        let all = EXACT.loads(at(eps), LoadSet::all(2)).unwrap().named();
+        for set in [LoadSet::axial(2), LoadSet::planar(1)] {
+            let part = EXACT.loads(at(eps), set).unwrap().named();
+            assert_eq!(part.len(), set.column_count());
+            // The modes asked for decide the number of terms.
+            let same = |load: &(String, f64)| {
+                (all.iter()).any(|(name, value)| *name == load.0 && (value - load.1).abs() < 1e-10)
+            };
+            assert!(part.iter().all(same), "{part:?}");
+        }
+        let axial = EXACT.loads(at(eps), LoadSet::axial(2)).unwrap().named();
+        assert!(axial.iter().all(|load| all.contains(load)), "{axial:?}");
+    }
+}
+
+#[test]
 fn gaps_that_are_not_numbers_or_not_positive_are_refused() {
     let exact = &*EXACT;
     assert!(matches!(
-        exact.loads(Gap::from_ln(f64::NAN), 2),
+        exact.loads(Gap::from_ln(f64::NAN), LoadSet::all(2)),
         Err(SceneError::GapOutsideRange { .. })
     ));
     assert!(matches!(
-        exact.loads(Gap::from_ln(-1000.0), 2),
+        exact.loads(Gap::from_ln(-1000.0), LoadSet::all(2)),
         Err(SceneError::GapOutsideRange { .. })
     ));
 }
 
 #[test]
 fn more_modes_than_the_loads_hold_are_refused() {
-    let error = EXACT.loads(at(1.0), 9);
+    let error = EXACT.loads(at(1.0), LoadSet::all(9));
     assert_eq!(
         error,
         Err(SceneError::TooManyModes {
@@ -186,13 +208,13 @@ fn more_modes_than_the_loads_hold_are_refused() {
             allowed: 8
         })
     );
-    assert!(EXACT.contact_constants(9).is_err());
-    assert!(EXACT.log_slopes(9).is_err());
+    assert!(EXACT.contact_constants(LoadSet::all(9)).is_err());
+    assert!(EXACT.log_slopes(LoadSet::all(9)).is_err());
 }
 
 #[test]
 fn a_series_with_too_many_terms_is_refused() {
-    assert!(EXACT.series_loads(at(1e-12), 2).is_err());
+    assert!(EXACT.series_loads(at(1e-12), LoadSet::all(2)).is_err());
     assert!(Exact::with_terms(0.0).is_err());
     assert!(Exact::with_terms(f64::NAN).is_err());
 }

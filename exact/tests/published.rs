@@ -1,7 +1,7 @@
 //! Numbers that others published, to the digits that they printed.
 
 use exact::Exact;
-use scene::{Gap, Hydrodynamics};
+use scene::{Gap, Hydrodynamics, LoadSet};
 
 /// Centre distance, then X11A, X12A, Y11A, Y12A, Y11B, Y12B, X11C, X12C, Y11C, Y12C: table of
 /// resistance scalars by A. K. Townsend, *Phys. Fluids* 35 (2023), doi 10.1063/5.0175697.
@@ -117,7 +117,7 @@ fn val_resistance_scalars_are_those_of_townsend_2023() {
     let mut short = Vec::new();
     for row in TOWNSEND {
         let gap = Gap::new(row[0] - 2.0).unwrap();
-        let loads = Exact::new().loads(gap, 0).unwrap();
+        let loads = Exact::new().loads(gap, LoadSet::all(0)).unwrap();
         for ((name, own), published) in loads.named().into_iter().zip(&row[1..]) {
             let error = (own - published).abs() / published.abs().max(0.01);
             println!("{} {name} {own:.9} {published} {error:.1e}", row[0]);
@@ -146,7 +146,7 @@ fn val_spheres_that_fall_along_their_centre_line_have_the_drag_of_stimson_and_je
         (3.0, 0.930_795),
     ] {
         let gap = Gap::new(4.0 * (0.5 * alpha).sinh().powi(2)).unwrap();
-        let loads = Exact::new().loads(gap, 0).unwrap();
+        let loads = Exact::new().loads(gap, LoadSet::all(0)).unwrap();
         println!("{alpha} {:.9} {drag}", loads.xa.sum);
         assert!(
             (loads.xa.sum - drag).abs() < 5.1e-7,
@@ -182,7 +182,7 @@ fn axial_drag(alpha: f64, together: bool) -> f64 {
 fn val_axial_drags_are_the_closed_series_of_stimson_and_jeffery_and_of_brenner() {
     for alpha in [0.05_f64, 0.1, 0.22, 0.5, 1.0, 2.0, 3.0] {
         let gap = Gap::new(4.0 * (0.5 * alpha).sinh().powi(2)).unwrap();
-        let loads = Exact::new().loads(gap, 0).unwrap();
+        let loads = Exact::new().loads(gap, LoadSet::all(0)).unwrap();
         let together = axial_drag(alpha, true);
         let apart = axial_drag(alpha, false);
         assert!((loads.xa.sum / together - 1.0).abs() < 1e-11, "{alpha}");

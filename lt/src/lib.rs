@@ -6,8 +6,8 @@
 //!
 //! ```
 //! use lt::{Form, Lubrication};
-//! use scene::{Gap, Hydrodynamics};
-//! let loads = Lubrication::new(Form::Published).loads(Gap::new(0.1)?, 2)?;
+//! use scene::{Gap, Hydrodynamics, LoadSet};
+//! let loads = Lubrication::new(Form::Published).loads(Gap::new(0.1)?, LoadSet::all(2))?;
 //! let log = 10f64.ln();
 //! assert!((loads.xa.own() - (1.0 + 2.5 + 9.0 / 40.0 * log)).abs() < 1e-14);
 //! assert!((loads.modes()[0].xf.own() - (4.0 + 9.0 / 4.0 * log)).abs() < 1e-14);
@@ -15,7 +15,7 @@
 //! ```
 
 use scene::singular::{self, Singular};
-use scene::{Gap, GapRange, Hydrodynamics, MAX_MODES, PairLoads, SceneError, SelfOther};
+use scene::{Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, SceneError, SelfOther};
 
 /// Gap up to which the spheres interact, in sphere radii.
 pub const CUTOFF: f64 = 1.0;
@@ -64,17 +64,17 @@ impl Hydrodynamics for Lubrication {
         }
     }
 
-    fn loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
+    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         if gap.eps() > CUTOFF {
-            check_modes(modes)?;
-            Ok(PairLoads::isolated(modes))
+            set.check()?;
+            Ok(PairLoads::isolated(set))
         } else {
-            self.interacting_loads(gap, modes)
+            self.interacting_loads(gap, set)
         }
     }
 
-    fn error_estimate(&self, gap: Gap, modes: usize) -> Result<f64, SceneError> {
-        check_modes(modes)?;
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
+        set.check()?;
         self.range().check(gap)?;
         Ok(0.0)
     }
@@ -88,8 +88,8 @@ impl Hydrodynamics for Lubrication {
     }
 
     #[inline]
-    fn interacting_loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
-        check_modes(modes)?;
+    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+        set.check()?;
         self.range().check(gap)?;
         let Singular {
             mut xa,
@@ -106,21 +106,10 @@ impl Hydrodynamics for Lubrication {
         let thrust = SelfOther::new(4.0, 0.0);
         first.xf += thrust;
         first.yf += thrust;
-        Ok(PairLoads::from_parts([xa, ya, yb, unit, yc], modes, |n| {
+        Ok(PairLoads::from_parts([xa, ya, yb, unit, yc], set, |n| {
             if n == 0 { first } else { mode }
         }))
     }
-}
-
-#[inline]
-fn check_modes(modes: usize) -> Result<(), SceneError> {
-    if modes > MAX_MODES {
-        return Err(SceneError::TooManyModes {
-            modes,
-            allowed: MAX_MODES,
-        });
-    }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -159,7 +148,7 @@ mod tests {
         for (form, k) in [(Form::Published, 9.0 / 4.0), (Form::Corrected, 3.0)] {
             for eps in [1.0, 0.3, 1e-2, 1e-5, 1e-12] {
                 let gap = Gap::new(eps).unwrap();
-                let loads = Lubrication::new(form).loads(gap, 8).unwrap();
+                let loads = Lubrication::new(form).loads(gap, LoadSet::all(8)).unwrap();
                 for (name, value) in loads.named() {
                     let expected = listed(&name, -eps.ln(), eps, k);
                     assert_relative_eq!(value, expected, max_relative = 4e-15, epsilon = 4e-15);
@@ -171,21 +160,25 @@ mod tests {
     #[test]
     fn beyond_the_cut_squirmers_are_isolated() {
         let model = Lubrication::new(Form::Published);
-        let loads = model.loads(Gap::new(1.0 + 1e-15).unwrap(), 2).unwrap();
-        assert_eq!(loads, PairLoads::isolated(2));
+        let loads = model
+            .loads(Gap::new(1.0 + 1e-15).unwrap(), LoadSet::all(2))
+            .unwrap();
+        assert_eq!(loads, PairLoads::isolated(LoadSet::all(2)));
     }
 
     #[test]
     fn sum_of_squeeze_scalars_keeps_its_digits_at_contact() {
         let model = Lubrication::new(Form::Corrected);
-        let loads = model.loads(Gap::new(1e-14).unwrap(), 1).unwrap();
+        let loads = model
+            .loads(Gap::new(1e-14).unwrap(), LoadSet::all(1))
+            .unwrap();
         assert_relative_eq!(loads.xa.sum, 1.0, max_relative = 1e-15);
     }
 
     #[test]
     fn nine_modes_are_refused() {
         let model = Lubrication::new(Form::Corrected);
-        let refused = model.loads(Gap::new(0.1).unwrap(), 9);
+        let refused = model.loads(Gap::new(0.1).unwrap(), LoadSet::all(9));
         assert_eq!(
             refused,
             Err(SceneError::TooManyModes {

@@ -127,13 +127,13 @@ fn solve_transverse<T: Transverse>(a: f64, b: f64, c: f64, force: T, torque: T) 
 /// `loads`; `headings` in the pair frame.
 ///
 /// ```
-/// use scene::{Gap, PairLoads, Squirmer, balance::{External, Heading, pair_velocity}};
+/// use scene::{Gap, LoadSet, PairLoads, Squirmer, balance::{External, Heading, pair_velocity}};
 /// // Far apart, a squirmer that points at the other one swims at V_s = 2 B_1/3.
 /// let squirmers = [Squirmer::with_beta(1.0, 5.0)?, Squirmer::new(&[])?];
 /// let ahead = Heading { cosine: 1.0, transverse: 0.0 };
 /// let external = External { repulsion: 0.0, torque: [0.0, 0.0] };
 /// let far = Gap::new(1e6)?;
-/// let v = pair_velocity(far, &PairLoads::isolated(2), &squirmers, &[ahead, ahead], &external);
+/// let v = pair_velocity(far, &PairLoads::isolated(LoadSet::all(2)), &squirmers, &[ahead, ahead], &external);
 /// assert!((v.mean_axial - 0.5).abs() < 1e-15);
 /// assert!((v.opening * far.eps() + 1.0).abs() < 1e-15);
 /// # Ok::<(), scene::SceneError>(())

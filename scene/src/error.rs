@@ -1,5 +1,7 @@
 //! What can be wrong with a scene, and what can fail in computing it.
 
+use crate::LoadSet;
+
 /// Everything that this crate can refuse or fail at, with the offending numbers.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneError {
@@ -50,6 +52,14 @@ pub enum SceneError {
         modes: usize,
         /// Modes allowed.
         allowed: usize,
+    },
+    /// Loads that a table does not hold.
+    #[error("a table of {held} was asked for {asked}")]
+    LoadsNotHeld {
+        /// The loads asked for.
+        asked: LoadSet,
+        /// The loads held.
+        held: LoadSet,
     },
     /// The integration of a trajectory failed.
     #[error("trajectory: {reason}")]

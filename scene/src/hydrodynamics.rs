@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Gap, PairLoads, SceneError};
+use crate::{Gap, LoadSet, PairLoads, SceneError};
 
 /// Gaps for which a model vouches, `smallest <= eps <= largest` (in sphere radii).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -43,13 +43,13 @@ pub trait Hydrodynamics: Sync {
     /// Gaps for which [`Self::loads`] answers.
     fn range(&self) -> GapRange;
 
-    /// The loads at `gap`, of the squirming modes 1 to `modes`.
+    /// The loads of `set` at `gap`.
     ///
     /// # Errors
     /// [`SceneError::GapOutsideRange`] for a gap outside [`Self::range`],
-    /// [`SceneError::TooManyModes`] if the model does not hold so many modes, and
+    /// [`SceneError::TooManyModes`] or [`SceneError::LoadsNotHeld`] if the model does not hold the set, and
     /// [`SceneError::Model`] if the model could not compute the loads.
-    fn loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError>;
+    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError>;
 
     /// The model's own estimate of its error at `gap`: the largest over all loads of the error
     /// relative to the larger of the load and 1. Zero for a closed form, which is exact as a
@@ -57,7 +57,7 @@ pub trait Hydrodynamics: Sync {
     ///
     /// # Errors
     /// As [`Self::loads`].
-    fn error_estimate(&self, gap: Gap, modes: usize) -> Result<f64, SceneError>;
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError>;
 
     /// Gap beyond which the spheres do not interact at all, if there is one: the cut of
     /// lubrication theory. Loads may jump there.
@@ -70,8 +70,8 @@ pub trait Hydrodynamics: Sync {
     ///
     /// # Errors
     /// As [`Self::loads`].
-    fn interacting_loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
-        self.loads(gap, modes)
+    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+        self.loads(gap, set)
     }
 
     /// Ascending gaps at which the model's discretisation changes, so that the loads jump by

@@ -14,6 +14,7 @@ mod error;
 mod gap;
 mod hydrodynamics;
 mod legendre;
+mod load_set;
 pub mod loads;
 pub mod motion;
 pub mod ode;
@@ -27,6 +28,7 @@ pub use error::SceneError;
 pub use gap::Gap;
 pub use hydrodynamics::{GapRange, Hydrodynamics};
 pub use legendre::{Legendre, legendre};
+pub use load_set::LoadSet;
 pub use loads::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
 pub use motion::{
     BoundState, Configuration, Counters, Outcome, Run, RunOptions, Sample, bound_states, run,

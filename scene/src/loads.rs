@@ -25,19 +25,10 @@
 //! (12 or 2). They are stored as sum and difference, because the force balance needs only these
 //! and the sum of two scalars that diverge at contact would lose its digits if it were formed late.
 
+use crate::LoadSet;
+
 /// Highest squirming mode that a [`PairLoads`] can hold.
 pub const MAX_MODES: usize = 8;
-
-/// Columns of the resistance scalars in [`PairLoads::columns`].
-const RIGID_COLUMNS: usize = 10;
-
-/// Columns of one squirming mode in [`PairLoads::columns`].
-const MODE_COLUMNS: usize = 6;
-
-/// Columns of all loads with `modes` squirming modes.
-pub(crate) const fn column_count(modes: usize) -> usize {
-    RIGID_COLUMNS + MODE_COLUMNS * modes
-}
 
 /// Two scalars of one kind, for the sphere itself and for the other one, as sum and difference.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -103,8 +94,9 @@ const NO_LOADS: ModeLoads = {
     }
 };
 
-/// All loads of a pair at one gap. See the [module](self) for definitions and signs.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The loads of a pair at one gap, those of a [`LoadSet`]; the others are not to be read. See the
+/// [module](self) for definitions and signs.
+#[derive(Clone, Copy, Debug)]
 pub struct PairLoads {
     /// `X11A, X12A`, per `6 pi mu a`.
     pub xa: SelfOther,
@@ -117,17 +109,24 @@ pub struct PairLoads {
     /// `Y11C, Y12C`, per `8 pi mu a^3`.
     pub yc: SelfOther,
     modes: [ModeLoads; MAX_MODES],
-    count: usize,
+    set: LoadSet,
+}
+
+/// Of the loads that their sets hold.
+impl PartialEq for PairLoads {
+    fn eq(&self, other: &Self) -> bool {
+        self.set == other.set && self.columns().eq(other.columns())
+    }
 }
 
 impl PairLoads {
-    /// From the resistance scalars `[xa, ya, yb, xc, yc]` and the loads by each of `modes` squirming
-    /// modes (at most [`MAX_MODES`]), counted from 0.
+    /// From the resistance scalars `[xa, ya, yb, xc, yc]` and the loads by each squirming mode (at most
+    /// [`MAX_MODES`]), counted from 0. What `set` does not hold may have any value.
     #[inline]
     #[must_use]
     pub fn from_parts(
         [xa, ya, yb, xc, yc]: [SelfOther; 5],
-        modes: usize,
+        set: LoadSet,
         mode: impl Fn(usize) -> ModeLoads,
     ) -> Self {
         // Written where it is returned to: copies of this type are what a right-hand side would
@@ -138,98 +137,112 @@ impl PairLoads {
             yb,
             xc,
             yc,
-            modes: std::array::from_fn(|n| if n < modes { mode(n) } else { NO_LOADS }),
-            count: modes.min(MAX_MODES),
+            modes: std::array::from_fn(|n| if n < set.modes { mode(n) } else { NO_LOADS }),
+            set: LoadSet {
+                modes: set.modes.min(MAX_MODES),
+                ..set
+            },
         }
     }
 
-    /// Loads of two spheres infinitely far apart, with `modes` squirming modes (at most
-    /// [`MAX_MODES`]): unit drag, thrust `4 pi mu a B_1` of the first mode, all else zero.
+    /// Loads of two spheres infinitely far apart, with at most [`MAX_MODES`] squirming modes: unit drag, thrust `4 pi mu a B_1` of the first mode, all else zero.
     #[inline]
     #[must_use]
-    pub fn isolated(modes: usize) -> Self {
+    pub fn isolated(set: LoadSet) -> Self {
         let zero = SelfOther::default();
         let unit = SelfOther::new(1.0, 0.0);
         let thrust = SelfOther::new(4.0, 0.0);
-        Self::from_parts([unit, unit, zero, unit, unit], modes, |n| ModeLoads {
+        Self::from_parts([unit, unit, zero, unit, unit], set, |n| ModeLoads {
             xf: if n == 0 { thrust } else { zero },
             yf: if n == 0 { thrust } else { zero },
             yt: zero,
         })
     }
 
-    /// All scalars zero, with room for `modes` squirming modes (at most [`MAX_MODES`]).
+    /// All scalars zero, with room for at most [`MAX_MODES`] squirming modes.
     #[inline]
     #[must_use]
-    pub fn zero(modes: usize) -> Self {
-        Self::from_parts([SelfOther::default(); 5], modes, |_| NO_LOADS)
+    pub fn zero(set: LoadSet) -> Self {
+        Self::from_parts([SelfOther::default(); 5], set, |_| NO_LOADS)
+    }
+
+    /// Which of the loads these are.
+    #[inline]
+    #[must_use]
+    pub fn set(&self) -> LoadSet {
+        self.set
     }
 
     /// Loads by the squirming modes `n = 1, 2, ...`, in this order.
     #[inline]
     #[must_use]
     pub fn modes(&self) -> &[ModeLoads] {
-        &self.modes[..self.count]
+        &self.modes[..self.set.modes]
     }
 
     /// The same, to fill in.
     #[inline]
     pub fn modes_mut(&mut self) -> &mut [ModeLoads] {
-        &mut self.modes[..self.count]
+        &mut self.modes[..self.set.modes]
     }
 
-    /// Number of `f64` in [`Self::columns`] for `modes` squirming modes.
-    #[must_use]
-    pub const fn column_count(modes: usize) -> usize {
-        column_count(modes)
-    }
-
-    /// All scalars in a fixed order (sum, difference; A, B, C, then mode by mode), for tables.
-    pub fn columns(&self) -> impl Iterator<Item = f64> + '_ {
-        let rigid = [self.xa, self.ya, self.yb, self.xc, self.yc];
-        let modes = self.modes().iter().flat_map(|m| [m.xf, m.yf, m.yt]);
-        rigid
-            .into_iter()
-            .chain(modes)
-            .flat_map(|s| [s.sum, s.difference])
-    }
-
-    /// The inverse of [`Self::columns`]; missing values stay zero, surplus ones are ignored.
+    /// The loads of `set` from the [`Self::columns`] of the set `layout`, which must hold it.
     #[inline]
     #[must_use]
-    pub fn from_columns(modes: usize, columns: &[f64]) -> Self {
-        let pair = |k: usize| match columns.get(2 * k..2 * k + 2) {
-            Some(&[sum, difference]) => SelfOther { sum, difference },
+    pub fn from_columns(set: LoadSet, layout: LoadSet, columns: &[f64]) -> Self {
+        let pair = |held: bool, k: usize| match columns.get(2 * k..2 * k + 2) {
+            Some(&[sum, difference]) if held => SelfOther { sum, difference },
             _ => SelfOther::default(),
         };
-        Self::from_parts([0, 1, 2, 3, 4].map(pair), modes, |n| {
-            let k = (RIGID_COLUMNS + MODE_COLUMNS * n) / 2;
+        let (across, twist) = (layout.transverse, layout.twist);
+        let xc = if across { 3 } else { 1 };
+        let rigid = [
+            pair(true, 0),
+            pair(across, 1),
+            pair(across, 2),
+            pair(twist, xc),
+            pair(across, layout.rigid() - 1),
+        ];
+        Self::from_parts(rigid, set, |n| {
+            let k = layout.rigid() + layout.per_mode() * n;
             ModeLoads {
-                xf: pair(k),
-                yf: pair(k + 1),
-                yt: pair(k + 2),
+                xf: pair(true, k),
+                yf: pair(across, k + 1),
+                yt: pair(across, k + 2),
             }
         })
     }
 
-    /// Every scalar with its published name: `X11A, X12A, Y11A, ..., XF1_1, XF2_1, ..., YT2_n`.
+    /// Every scalar of the set with its published name: `X11A, X12A, Y11A, ..., XF1_1, XF2_1, ...,
+    /// YT2_n`.
     #[must_use]
     pub fn named(&self) -> Vec<(String, f64)> {
-        let mut rows = Vec::with_capacity(Self::column_count(self.count));
-        for (axis, kind, s) in [
-            ('X', 'A', self.xa),
-            ('Y', 'A', self.ya),
-            ('Y', 'B', self.yb),
-            ('X', 'C', self.xc),
-            ('Y', 'C', self.yc),
+        let LoadSet {
+            transverse, twist, ..
+        } = self.set;
+        let mut rows = Vec::with_capacity(self.set.column_count());
+        for (axis, kind, s, held) in [
+            ('X', 'A', self.xa, true),
+            ('Y', 'A', self.ya, transverse),
+            ('Y', 'B', self.yb, transverse),
+            ('X', 'C', self.xc, twist),
+            ('Y', 'C', self.yc, transverse),
         ] {
-            rows.push((format!("{axis}11{kind}"), s.own()));
-            rows.push((format!("{axis}12{kind}"), s.other()));
+            if held {
+                rows.push((format!("{axis}11{kind}"), s.own()));
+                rows.push((format!("{axis}12{kind}"), s.other()));
+            }
         }
         for (n, mode) in (1..).zip(self.modes()) {
-            for (name, s) in [("XF", mode.xf), ("YF", mode.yf), ("YT", mode.yt)] {
-                rows.push((format!("{name}1_{n}"), s.own()));
-                rows.push((format!("{name}2_{n}"), s.other()));
+            for (name, s, held) in [
+                ("XF", mode.xf, true),
+                ("YF", mode.yf, transverse),
+                ("YT", mode.yt, transverse),
+            ] {
+                if held {
+                    rows.push((format!("{name}1_{n}"), s.own()));
+                    rows.push((format!("{name}2_{n}"), s.other()));
+                }
             }
         }
         rows

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::effects::unit;
 use crate::squirmer::finite;
-use crate::{Gap, Gravity, Repulsion, SceneError, Squirmer};
+use crate::{Gap, Gravity, LoadSet, Repulsion, SceneError, Squirmer};
 
 /// A swimming direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -107,11 +107,16 @@ impl Scene {
         Gap::new((self.start[1].position - self.start[0].position).norm() - 2.0)
     }
 
-    /// Number of squirming modes whose loads the scene needs.
+    /// The loads that the motion of the scene reads.
     #[must_use]
-    pub fn modes(&self) -> usize {
+    pub fn load_set(&self) -> LoadSet {
         let [one, two] = &self.squirmers;
-        one.modes().len().max(two.modes().len())
+        LoadSet {
+            modes: one.modes().len().max(two.modes().len()),
+            transverse: true,
+            // Without a torque about the line of centres nothing but slip across it turns a squirmer.
+            twist: !self.is_planar() && self.acting_gravity().is_some(),
+        }
     }
 
     /// Gravity, if there is any and a squirmer that it turns.

@@ -5,7 +5,7 @@
 //! (2019) 053102. Lubrication theory adds these to the isolated loads, tables subtract them so
 //! that what is left is smooth at contact.
 
-use crate::{Gap, ModeLoads, PairLoads, SelfOther};
+use crate::{Gap, LoadSet, ModeLoads, PairLoads, SelfOther};
 
 /// Coefficient of `L` in the axial squirming force `XF1_n = -XF2_n`, every mode alike.
 ///
@@ -58,15 +58,27 @@ impl Singular {
         }
     }
 
-    /// The first `N` of [`PairLoads::columns`].
+    /// The first `N` of the [`PairLoads::columns`] of a set.
     #[inline]
-    pub(crate) fn columns<const N: usize>(&self) -> [f64; N] {
-        let rigid = [self.xa, self.ya, self.yb, SelfOther::default(), self.yc];
-        let mode = [self.mode.xf, self.mode.yf, self.mode.yt];
+    pub(crate) fn columns<const N: usize>(&self, layout: LoadSet) -> [f64; N] {
+        let none = SelfOther::default();
+        let [xf, yf, yt] = [self.mode.xf, self.mode.yf, self.mode.yt];
+        let rigid = match (layout.transverse, layout.twist) {
+            (true, true) => [self.xa, self.ya, self.yb, none, self.yc],
+            (true, false) => [self.xa, self.ya, self.yb, self.yc, none],
+            (false, _) => [self.xa, none, none, none, none],
+        };
+        let mode = if layout.transverse {
+            [xf, yf, yt]
+        } else {
+            [xf; 3]
+        };
         std::array::from_fn(|column| {
-            let pair = match rigid.get(column / 2) {
-                Some(pair) => pair,
-                None => &mode[(column / 2 - rigid.len()) % mode.len()],
+            let (place, first) = (column / 2, layout.rigid());
+            let pair = if place < first {
+                &rigid[place]
+            } else {
+                &mode[(place - first) % layout.per_mode()]
             };
             if column % 2 == 0 {
                 pair.sum
@@ -77,20 +89,20 @@ impl Singular {
     }
 }
 
-/// The diverging parts at `gap`, of `modes` squirming modes, with the coefficient
-/// `axial_squirming` in front of the logarithm of `XF1_n`.
+/// The diverging parts of `set` at `gap`, with the coefficient `axial_squirming` in front of the
+/// logarithm of `XF1_n`.
 ///
 /// ```
-/// use scene::{Gap, singular};
+/// use scene::{Gap, LoadSet, singular};
 /// let gap = Gap::new(0.01)?;
-/// let loads = singular::loads(gap, 2, singular::AXIAL_SQUIRMING);
+/// let loads = singular::loads(gap, LoadSet::all(2), singular::AXIAL_SQUIRMING);
 /// assert!((loads.xa.own() - (25.0 + 9.0 / 40.0 * gap.log_inverse())).abs() < 1e-13);
 /// assert!((loads.modes()[1].xf.other() + 3.0 * gap.log_inverse()).abs() < 1e-13);
 /// # Ok::<(), scene::SceneError>(())
 /// ```
 #[inline]
 #[must_use]
-pub fn loads(gap: Gap, modes: usize, axial_squirming: f64) -> PairLoads {
+pub fn loads(gap: Gap, set: LoadSet, axial_squirming: f64) -> PairLoads {
     let Singular {
         xa,
         ya,
@@ -98,5 +110,5 @@ pub fn loads(gap: Gap, modes: usize, axial_squirming: f64) -> PairLoads {
         yc,
         mode,
     } = Singular::at(gap, axial_squirming);
-    PairLoads::from_parts([xa, ya, yb, SelfOther::default(), yc], modes, |_| mode)
+    PairLoads::from_parts([xa, ya, yb, SelfOther::default(), yc], set, |_| mode)
 }

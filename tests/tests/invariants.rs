@@ -9,8 +9,8 @@ use approx::assert_relative_eq;
 use lt::{Form, Lubrication};
 use nalgebra::{Rotation3, Vector3};
 use scene::{
-    Gap, Gravity, Hydrodynamics, Orientation, Pose, Repulsion, Run, RunOptions, Scene, Squirmer,
-    run,
+    Gap, Gravity, Hydrodynamics, LoadSet, Orientation, Pose, Repulsion, Run, RunOptions, Scene,
+    Squirmer, run,
 };
 
 const FORMS: [Form; 2] = [Form::Published, Form::Corrected];
@@ -59,7 +59,11 @@ fn mapped(scene: &Scene, map: impl Fn(Vector3<f64>) -> Vector3<f64>) -> Scene {
 fn spheres_moving_as_one_rigid_body_feel_no_lubrication() {
     for form in FORMS {
         let model = Lubrication::new(form);
-        let at = |eps: f64| model.loads(Gap::new(eps).unwrap(), 1).unwrap();
+        let at = |eps: f64| {
+            model
+                .loads(Gap::new(eps).unwrap(), LoadSet::all(1))
+                .unwrap()
+        };
         let (near, nearer) = (at(1e-9), at(1e-12));
         // Translation along and across the line of centres.
         assert_relative_eq!(near.xa.sum, nearer.xa.sum, max_relative = 1e-14);

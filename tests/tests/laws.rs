@@ -8,7 +8,7 @@ use approx::assert_relative_eq;
 use bem::{Bem, Body, Lab, Motion};
 use nalgebra::{UnitQuaternion, Vector3};
 use scene::balance::{External, Heading, pair_velocity};
-use scene::{Gap, Hydrodynamics, PairLoads, Squirmer};
+use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, Squirmer};
 
 /// Level of the meshes here: coarse, since laws hold to the error of any mesh.
 const LEVEL: usize = 2;
@@ -146,7 +146,10 @@ fn pair_frame_motion(loads: &PairLoads, bodies: &[Body; 2]) -> [Vector3<f64>; 2]
 fn val_laboratory_frame_and_pair_frame_agree_whatever_the_mesh_rotation() {
     let bodies = crooked_pair();
     let gap = Gap::new((bodies[1].position - bodies[0].position).norm() - 2.0).unwrap();
-    let loads = Bem::new(LEVEL).unwrap().loads(gap, 2).unwrap();
+    let loads = Bem::new(LEVEL)
+        .unwrap()
+        .loads(gap, LoadSet::all(2))
+        .unwrap();
     let expected = pair_frame_motion(&loads, &bodies);
     for angle in [0.0, 1.0] {
         let turned = bodies.clone().map(|body| Body {
@@ -184,9 +187,13 @@ fn a_rotated_pair_moves_rotated() {
 fn val_two_spheres_far_apart_do_not_interact() {
     let loads = Bem::new(LEVEL)
         .unwrap()
-        .loads(Gap::new(1e7).unwrap(), 2)
+        .loads(Gap::new(1e7).unwrap(), LoadSet::all(2))
         .unwrap();
-    for (column, isolated) in loads.named().iter().zip(PairLoads::isolated(2).named()) {
+    for (column, isolated) in loads
+        .named()
+        .iter()
+        .zip(PairLoads::isolated(LoadSet::all(2)).named())
+    {
         assert!(
             (column.1 - isolated.1).abs() < 4.0 * MESH_ERROR,
             "{column:?}"
@@ -199,6 +206,11 @@ fn spheres_moving_as_one_rigid_body_squeeze_nothing() {
     // Drag on two touching spheres along their axis is 0.6451 of two lone ones (Stimson & Jeffery
     // 1926): finite, though each scalar diverges.
     let bem = Bem::new(LEVEL).unwrap();
-    let sum = |eps: f64| bem.loads(Gap::new(eps).unwrap(), 1).unwrap().xa.sum;
+    let sum = |eps: f64| {
+        bem.loads(Gap::new(eps).unwrap(), LoadSet::all(1))
+            .unwrap()
+            .xa
+            .sum
+    };
     assert_relative_eq!(sum(0.01), 0.645_14, epsilon = 5.0 * MESH_ERROR);
 }

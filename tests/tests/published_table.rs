@@ -3,13 +3,16 @@
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
 use bem::Bem;
-use scene::{Gap, Hydrodynamics};
+use scene::{Gap, Hydrodynamics, LoadSet};
 use tests::{ResistanceRow, two_sphere_resistance};
 
 /// Errors of the ten scalars in a row, relative to the larger of the scalar and 0.1 (so that
 /// 0.5 % means 5e-4 at least).
 fn errors(bem: &Bem, row: &ResistanceRow) -> Vec<(&'static str, f64)> {
-    let loads = bem.loads(Gap::new(row.eps()).unwrap(), 0).unwrap().named();
+    let loads = bem
+        .loads(Gap::new(row.eps()).unwrap(), LoadSet::all(0))
+        .unwrap()
+        .named();
     (row.scalars().iter().zip(loads))
         .map(|((name, expected), (found_name, found))| {
             assert_eq!(*name, found_name);

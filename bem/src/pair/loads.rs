@@ -18,7 +18,7 @@ use std::time::Instant;
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
-use scene::{PairLoads, SelfOther};
+use scene::{LoadSet, PairLoads, SelfOther};
 
 use super::assembly::{Class, assemble};
 use super::parity::{Motion, Parity, Swap};
@@ -54,14 +54,14 @@ pub struct PairSolution {
 /// Beyond this the spheres are alone to rounding; it keeps squares finite.
 const FARTHEST: f64 = 1e15;
 
-/// The loads at the gap `eps`, with the meshes of `family` and squirming modes 1 to `modes`.
+/// The loads of `set` at the gap `eps`, with the meshes of `family`.
 ///
 /// # Errors
 /// [`BemError::Residual`] if a dense system could not be solved.
 pub fn solve<const H: usize>(
     family: &MeshFamily<H>,
     eps: f64,
-    modes: usize,
+    set: LoadSet,
 ) -> Result<PairSolution, BemError> {
     let start = Instant::now();
     let eps = eps.min(FARTHEST);
@@ -71,7 +71,12 @@ pub fn solve<const H: usize>(
         (&reference, Profile::beside_mirror_image(family.smallest)),
     );
     let orbits = family.orbits();
-    let classes = Parity::ALL.map(|parity| Class::new(parity, surface.nodes(), orbits));
+    let parities: Vec<Parity> = (Parity::ALL.into_iter())
+        .filter(|parity| parity.motion.is_in(set))
+        .collect();
+    let classes: Vec<Class> = (parities.iter())
+        .map(|&parity| Class::new(parity, surface.nodes(), orbits))
+        .collect();
     let (matrices, work) = assemble(
         &surface,
         &Nodes::<H>::new(&reference).points,
@@ -84,10 +89,10 @@ pub fn solve<const H: usize>(
     let solved = classes
         .par_iter()
         .zip(matrices)
-        .map(|(class, matrix)| class.responses(&matrix, &surface, family, modes))
+        .map(|(class, matrix)| class.responses(&matrix, &surface, family, set.modes))
         .collect::<Result<Vec<_>, _>>()?;
     Ok(PairSolution {
-        loads: collect(&solved, modes),
+        loads: collect(&parities, &solved, set),
         nodes: family.node_count(),
         solves: classes.len(),
         seconds: Seconds {
@@ -199,16 +204,17 @@ fn slips<const H: usize>(
         .collect()
 }
 
-/// The scalars of self and other from the two swaps, in the order of [`Parity::ALL`].
-fn collect(solved: &[Vec<Response>], modes: usize) -> PairLoads {
-    let of = |motion: Motion, swap: Swap| {
+/// The scalars of self and other from the two swaps, `solved` in the order of `parities`.
+fn collect(parities: &[Parity], solved: &[Vec<Response>], set: LoadSet) -> PairLoads {
+    // What is not in the set was not solved.
+    let of = |motion: Motion, swap: Swap, column: usize, part: &dyn Fn(&Response) -> f64| {
         let parity = Parity { motion, swap };
-        let place = Parity::ALL.iter().position(|&p| p == parity);
-        &solved[place.unwrap_or(0)]
+        let place = parities.iter().position(|&p| p == parity);
+        place.map_or(0.0, |place| part(&solved[place][column]))
     };
     let scalar = |motion, adds: Swap, column: usize, unit: f64, part: &dyn Fn(&Response) -> f64| {
-        let (mirrored, opposite) = (of(motion, Swap::Mirrored), of(motion, Swap::Opposite));
-        let (mirrored, opposite) = (part(&mirrored[column]), part(&opposite[column]));
+        let mirrored = of(motion, Swap::Mirrored, column, part);
+        let opposite = of(motion, Swap::Opposite, column, part);
         match adds {
             Swap::Mirrored => SelfOther {
                 sum: mirrored / unit,
@@ -223,7 +229,7 @@ fn collect(solved: &[Vec<Response>], modes: usize) -> PairLoads {
     let (force, torque) = (&|r: &Response| r.force, &|r: &Response| r.torque);
     use Motion::{Axial, Transverse, Twist};
     use Swap::{Mirrored, Opposite};
-    let mut loads = PairLoads::zero(modes);
+    let mut loads = PairLoads::zero(set);
     loads.xa = scalar(Axial, Opposite, 0, -6.0 * PI, force);
     loads.ya = scalar(Transverse, Mirrored, 0, -6.0 * PI, force);
     loads.yb = scalar(Transverse, Mirrored, 1, 4.0 * PI, force);

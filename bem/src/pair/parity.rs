@@ -3,6 +3,8 @@
 //! A field of parity s under a mirror R satisfies `f(R y) = s R f(y)`. A translation along x has
 //! parity -1 under `x -> -x`, and so has a rotation about y or z.
 
+use scene::LoadSet;
+
 use crate::mesh::Image;
 
 /// What sphere 1 does.
@@ -14,6 +16,17 @@ pub enum Motion {
     Transverse,
     /// Rotation about the line of centres.
     Twist,
+}
+
+impl Motion {
+    /// Whether a set of loads calls for it.
+    pub(crate) fn is_in(self, set: LoadSet) -> bool {
+        match self {
+            Self::Axial => true,
+            Self::Transverse => set.transverse,
+            Self::Twist => set.twist,
+        }
+    }
 }
 
 /// What sphere 2 does: the mirror image of what sphere 1 does, or its opposite.

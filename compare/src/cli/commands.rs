@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use comfy_table::{CellAlignment, Table, presets};
-use scene::{Gap, Hydrodynamics, RunOptions};
+use scene::{Gap, Hydrodynamics, LoadSet, RunOptions};
 use serde::Serialize;
 
 use super::args::{Arguments, Command, EncounterArguments, ModelArguments, RunArguments};
@@ -14,8 +14,8 @@ use crate::sweep::SweepOptions;
 use crate::{Approach, Case, CompareError, Defaults, Encounter, Method, Model, ModelOptions};
 use crate::{full_report, pictures, sweep};
 
-/// Squirming modes that `loads` prints.
-const LOADS_MODES: usize = 2;
+/// Loads that `loads` prints.
+const LOADS: LoadSet = LoadSet::all(2);
 
 /// Time between samples of recorded trajectories, in `a/V_s`.
 const SAMPLE_INTERVAL: f64 = 0.05;
@@ -134,8 +134,8 @@ fn loads(
         check_range(method, &options, &gaps)?;
         let model = Model::set_up(method, &options)?;
         for &gap in &gaps {
-            let loads = model.loads(gap, LOADS_MODES)?;
-            let error_estimate = model.error_estimate(gap, LOADS_MODES)?;
+            let loads = model.loads(gap, LOADS)?;
+            let error_estimate = model.error_estimate(gap, LOADS)?;
             rows.extend(loads.named().into_iter().map(|(name, value)| LoadRow {
                 method: method.name(),
                 gap: gap.eps(),

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use bem::Bem;
 use clap::Args;
-use scene::Gap;
+use scene::{Gap, LoadSet};
 
 use super::args::Arguments;
 use super::commands::print_rows;
@@ -126,7 +126,7 @@ fn print_findings(findings: &[Finding]) {
 /// Where the time of a boundary-element solve at a small gap goes, at the default level.
 fn bem_profile_lines() -> Result<Vec<String>, CompareError> {
     let bem = Bem::new(Bem::DEFAULT_LEVEL)?;
-    let solution = bem.solve(Gap::new(PROFILED_GAP)?, 2)?;
+    let solution = bem.solve(Gap::new(PROFILED_GAP)?, LoadSet::all(2))?;
     let of = format!("bem level {}, gap {PROFILED_GAP}", bem.level());
     let work = solution.work;
     let kinds = [

@@ -16,7 +16,7 @@ use scene::{Gap, Hydrodynamics, Outcome, Run, RunOptions, Scene, SceneError, run
 
 use super::tables::Tables;
 use super::timing::timed;
-use super::{CostOptions, CostRow, MODES, Part};
+use super::{CostOptions, CostRow, LOADS, Part};
 use crate::{Approach, Case, CompareError, Defaults, Method};
 
 /// Tolerances of the stepper.
@@ -201,10 +201,10 @@ pub(super) const COARSE_LEVEL: usize = 1;
 fn seconds_of_solve<M: Hydrodynamics>(model: &M) -> Result<f64, SceneError> {
     let gap = Gap::new(0.01)?;
     // Limiting forms are fitted once, when first needed: trial steps may go far.
-    model.loads(Gap::new(1e3)?, MODES)?;
-    model.loads(gap, MODES)?;
+    model.loads(Gap::new(1e3)?, LOADS)?;
+    model.loads(gap, LOADS)?;
     let started = Instant::now();
-    model.loads(gap, MODES)?;
+    model.loads(gap, LOADS)?;
     Ok(started.elapsed().as_secs_f64())
 }
 

@@ -7,7 +7,7 @@ use scene::{Gap, Hydrodynamics, PairLoads, SceneError};
 
 use super::tables::{Built, Tables};
 use super::timing::timed;
-use super::{CostOptions, CostRow, MODES, Part};
+use super::{CostOptions, CostRow, LOADS, Part};
 use crate::{CompareError, Method};
 
 /// Gaps at which loads are compared, in radii.
@@ -30,7 +30,7 @@ pub(super) fn measure(
         .collect::<Result<Vec<_>, _>>()?;
     for eps in GAPS {
         let gap = Gap::new(eps)?;
-        let reference = (referee.series_loads(gap, MODES)).map_err(SceneError::from)?;
+        let reference = (referee.series_loads(gap, LOADS)).map_err(SceneError::from)?;
         let at = At { gap, reference };
         for (method, form) in [
             (Method::Lt, Form::Published),
@@ -38,13 +38,13 @@ pub(super) fn measure(
         ] {
             let model = Lubrication::new(form);
             rows.push(at.row(method.name(), ("none", f64::NAN), || {
-                model.loads(gap, MODES)
+                model.loads(gap, LOADS)
             }));
         }
         for factor in TERMS {
             let model = Exact::with_terms(factor).map_err(SceneError::from)?;
             rows.push(at.row("exact", ("terms factor", factor), || {
-                Ok(model.series_loads(gap, MODES)?)
+                Ok(model.series_loads(gap, LOADS)?)
             }));
         }
         for built in &tables.exact {
@@ -57,7 +57,7 @@ pub(super) fn measure(
         for model in &levels {
             let knob = ("level", model.level() as f64);
             let before = model.solves();
-            let mut row = at.row("bem", knob, || model.loads(gap, MODES));
+            let mut row = at.row("bem", knob, || model.loads(gap, LOADS));
             // The warm-up solved once more, unless it took so long that it was all.
             let warm_up = if row.repeats > 1 { 1 } else { 0 };
             row.solves = (model.solves() - before) as f64 / (row.repeats + warm_up) as f64;
@@ -95,7 +95,7 @@ impl At {
         let ln_gap = self.gap.ln();
         let knob = ("table tolerance", built.tolerance);
         let mut row = self.row(&model, knob, || {
-            (built.table).loads(Gap::from_ln(std::hint::black_box(ln_gap)), MODES)
+            (built.table).loads(Gap::from_ln(std::hint::black_box(ln_gap)), LOADS)
         });
         row.set_up_seconds = built.seconds;
         row.loads = built.table.summary().evaluations as f64;

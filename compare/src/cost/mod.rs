@@ -14,6 +14,8 @@ mod scaling;
 mod tables;
 mod timing;
 
+use scene::LoadSet;
+
 use crate::CompareError;
 
 pub use findings::{Finding, findings};
@@ -72,5 +74,5 @@ pub fn measure(options: &CostOptions, done: &dyn Fn()) -> Result<Vec<CostRow>, C
     Ok(rows)
 }
 
-/// Squirming modes of the paper's cases.
-const MODES: usize = 2;
+/// Loads of the paper's cases.
+const LOADS: LoadSet = LoadSet::all(2);

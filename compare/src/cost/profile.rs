@@ -11,7 +11,7 @@ use super::loads::REFEREE_TERMS;
 use super::scaling::fig_6;
 use super::tables::Tables;
 use super::timing::timed;
-use super::{CostRow, MODES, Part};
+use super::{CostRow, LOADS, Part};
 use crate::{CompareError, Method};
 
 /// Logarithms of gaps of a collision.
@@ -51,7 +51,7 @@ fn profile<M: Hydrodynamics>(
     let loads = || {
         for ln_gap in LN_GAPS {
             let gap = Gap::from_ln(black_box(ln_gap));
-            let _ = black_box(&model.interacting_loads(gap, MODES));
+            let _ = black_box(&model.interacting_loads(gap, LOADS));
         }
     };
     let velocities = || {
@@ -95,7 +95,7 @@ fn velocity<M: Hydrodynamics>(
     squirmers: &[Squirmer; 2],
     headings: [Heading<f64>; 2],
 ) -> Result<PairVelocity<f64>, SceneError> {
-    let loads = model.interacting_loads(gap, MODES);
+    let loads = model.interacting_loads(gap, LOADS);
     match &loads {
         Ok(loads) => Ok(balanced(loads, gap, squirmers, headings)),
         Err(error) => Err(error.clone()),
@@ -147,7 +147,7 @@ pub(super) fn velocities(tables: &Tables, rows: &mut Vec<CostRow>) -> Result<(),
             )
         };
         if decade >= SERIES_FROM {
-            let reference = referee.series_loads(gap, MODES).map_err(SceneError::from)?;
+            let reference = referee.series_loads(gap, LOADS).map_err(SceneError::from)?;
             let mut error = 0.0_f64;
             for headings in headings {
                 let found = velocity(table, gap, &squirmers, headings)?;

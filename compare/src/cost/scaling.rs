@@ -6,7 +6,7 @@ use scene::{Gap, RunOptions, Scene, run};
 
 use super::tables::Tables;
 use super::timing::timed;
-use super::{CostOptions, CostRow, MODES, Part};
+use super::{CostOptions, CostRow, LOADS, Part};
 use crate::{Approach, Case, CompareError};
 
 /// Gap at which boundary elements are solved.
@@ -30,7 +30,7 @@ pub(super) fn boundary_elements(
         let (mut assembly, mut solve) = (f64::INFINITY, f64::INFINITY);
         let (mut unknowns, mut solves) = (0, 0);
         for _ in 0..repeats {
-            let solution = model.solve(gap, MODES)?;
+            let solution = model.solve(gap, LOADS)?;
             assembly = assembly.min(solution.seconds.assembly);
             solve = solve.min(solution.seconds.solve);
             unknowns = UNKNOWNS_A_NODE * solution.nodes;

@@ -6,7 +6,7 @@ use bem::Bem;
 use exact::Exact;
 use scene::{Hydrodynamics, TableOptions, Tabulated};
 
-use super::{CostOptions, MODES};
+use super::{CostOptions, LOADS};
 use crate::model::EXACT_TABLE_FROM;
 use crate::progress::Progress;
 use crate::{BEM_TABLE_TOLERANCE, CompareError, EXACT_TABLE_TOLERANCE};
@@ -88,7 +88,7 @@ fn build<M: Hydrodynamics>(
 ) -> Result<Built<M>, CompareError> {
     let started = Instant::now();
     let options = TableOptions {
-        modes: MODES,
+        set: LOADS,
         tolerance,
         smallest_gap,
     };

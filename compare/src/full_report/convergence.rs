@@ -5,7 +5,7 @@ use exact::Exact;
 use scene::{Gap, Hydrodynamics, PairLoads};
 use serde::Serialize;
 
-use super::MODES;
+use super::LOADS;
 use crate::CompareError;
 use crate::output::{OutputFolder, csv_text};
 use crate::report::{Section, Table};
@@ -35,7 +35,7 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CompareError> {
     let mut rows: Vec<MeshRow> = Vec::new();
     for eps in GAPS {
         let gap = Gap::new(eps)?;
-        let truth = Exact::new().loads(gap, MODES)?;
+        let truth = Exact::new().loads(gap, LOADS)?;
         for level in Bem::LEVELS.0..=HIGHEST {
             let bem = Bem::new(level)?;
             // A level that does not resolve the gap refuses it.
@@ -73,7 +73,7 @@ fn row(
     truth: &PairLoads,
     before: Option<&MeshRow>,
 ) -> Result<MeshRow, CompareError> {
-    let solution = bem.solve(gap, MODES)?;
+    let solution = bem.solve(gap, LOADS)?;
     let errors = (solution.loads.named().into_iter().zip(truth.named())).map(|(found, exact)| {
         let thrust = matches!(exact.0.as_str(), "XF1_1" | "YF1_1");
         let scale = exact.1.abs().max(if thrust { 4.0 } else { 1.0 });

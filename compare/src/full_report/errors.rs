@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{MODES, words};
+use super::{LOADS, words};
 use crate::output::{OutputFolder, csv_text};
 use crate::report::{Figure, Section, Table};
 use crate::sweep::{self, SweepOptions};
@@ -34,7 +34,7 @@ pub(super) fn section(
     let mut judged: Vec<_> = models.iter().chain(&extra).collect();
     judged.sort_by_key(|model| model.method());
 
-    let errors = load_errors(&judged, exact, MODES)?;
+    let errors = load_errors(&judged, exact, LOADS)?;
     let errors_csv = csv_text(&errors)?;
     out.write("load-errors.csv", &errors_csv)?;
     let svg = figures::load_errors(&errors)?;

@@ -9,7 +9,7 @@ mod words;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use scene::{Gap, Hydrodynamics, TableLimit};
+use scene::{Gap, Hydrodynamics, LoadSet, TableLimit};
 
 use crate::cli::commands::{cases, failure};
 use crate::output::{OutputFolder, csv_text};
@@ -21,8 +21,8 @@ use crate::{Approach, CompareError, Defaults, Encounter, Method, Model, ModelOpt
 /// Gaps at which the page states each model's own error estimate: where collisions go.
 const STATED_GAPS: [f64; 3] = [0.1, 0.01, 0.005];
 
-/// Squirming modes of the paper's cases.
-const MODES: usize = 2;
+/// Loads of the paper's cases.
+const LOADS: LoadSet = LoadSet::all(2);
 
 /// Runs everything, writes each command's files into `out`, and the page that shows them;
 /// returns the page's path. `typed` is the command line, for the footer.
@@ -181,7 +181,7 @@ fn method_cost(model: &Model, encounters: &[Encounter]) -> MethodCost {
     // A closed form has no error of its own to state; what the formula is worth is another matter.
     let stated = |eps: f64| {
         let gap = Gap::new(eps).ok()?;
-        let error = model.error_estimate(gap, MODES).ok()?;
+        let error = model.error_estimate(gap, LOADS).ok()?;
         (error > 0.0).then_some((eps, error))
     };
     MethodCost {

@@ -15,7 +15,7 @@ use super::equations::{Absent, PairMotion, Present};
 use super::outcome::{AT_REST, judge_rates};
 use super::steady::{Newton, fixed_point};
 use crate::ode::System;
-use crate::{Gap, Hydrodynamics, Repulsion, SceneError, Squirmer};
+use crate::{Gap, Hydrodynamics, LoadSet, Repulsion, SceneError, Squirmer};
 
 /// A bound state of two equal squirmers in the plane, one of up to four that mirror and exchange of
 /// the two make of each other.
@@ -93,13 +93,13 @@ pub fn bound_states<H: Hydrodynamics + ?Sized>(
         model,
         coordinates: Planar { z: 0.0 },
         squirmers,
-        modes: squirmer.modes().len(),
+        set: LoadSet::planar(squirmer.modes().len()),
         repulsion: Present(repulsion),
         gravity: Absent,
         failure: None,
         loads: 0,
     };
-    model.interacting_loads(Gap::new(GAPS[0])?, motion.modes)?;
+    model.interacting_loads(Gap::new(GAPS[0])?, motion.set)?;
     let largest = BELOW_CUT * model.cutoff().unwrap_or(1.0).min(1.0);
     let mut found: Vec<BoundState> = Vec::new();
     let angle = |i: usize| TAU * i as f64 / ANGLES as f64 - PI;

@@ -3,7 +3,7 @@
 use super::coordinates::Coordinates;
 use crate::balance::{External, Transverse, pair_velocity};
 use crate::ode::System;
-use crate::{Gap, Gravity, Hydrodynamics, Repulsion, SceneError, Squirmer};
+use crate::{Gap, Gravity, Hydrodynamics, LoadSet, Repulsion, SceneError, Squirmer};
 
 /// An effect that the compiler knows to be there or not, so that an absent one leaves no trace.
 pub(crate) trait Effect<T>: Copy {
@@ -38,7 +38,7 @@ pub(crate) struct PairMotion<'a, H: ?Sized, C, R, G> {
     pub model: &'a H,
     pub coordinates: C,
     pub squirmers: [Squirmer; 2],
-    pub modes: usize,
+    pub set: LoadSet,
     pub repulsion: R,
     pub gravity: G,
     /// Why the last right-hand side could not be computed, if it could not.
@@ -59,7 +59,7 @@ where
         let gap = Gap::from_ln(y[C::LN_GAP]);
         self.loads += 1;
         // Matched by reference: the loads are too large to be moved about.
-        let loads = self.model.interacting_loads(gap, self.modes);
+        let loads = self.model.interacting_loads(gap, self.set);
         let loads = match &loads {
             Ok(loads) => loads,
             Err(error) => {

@@ -230,7 +230,7 @@ where
                 model,
                 coordinates,
                 squirmers: scene.squirmers,
-                modes: scene.modes(),
+                set: scene.load_set(),
                 repulsion,
                 gravity,
                 failure: None,

@@ -6,13 +6,13 @@ use rayon::prelude::*;
 
 use super::chebyshev::{MAX_DEGREE, coefficients, points};
 use super::{FAR_GAP, Piece, Table, TableLimit, TableSummary, Tabulated};
-use crate::{Gap, GapRange, Hydrodynamics, MAX_MODES, SceneError, singular};
+use crate::{Gap, GapRange, Hydrodynamics, LoadSet, SceneError, singular};
 
 /// How to build a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TableOptions {
-    /// Squirming modes to tabulate, 1 to this.
-    pub modes: usize,
+    /// Loads to tabulate.
+    pub set: LoadSet,
     /// Interpolation error to reach, relative to the larger of the load and 1.
     pub tolerance: f64,
     /// Smallest gap of the table, below which the model itself is asked; the model's smallest if that
@@ -73,12 +73,7 @@ impl<M: Hydrodynamics> Tabulated<M> {
                 return Err(SceneError::NotPositive { what, value });
             }
         }
-        if options.modes > MAX_MODES {
-            return Err(SceneError::TooManyModes {
-                modes: options.modes,
-                allowed: MAX_MODES,
-            });
-        }
+        options.set.check()?;
         let noise = model.noise();
         let limit = if noise > options.tolerance {
             TableLimit::Noise(noise)
@@ -101,7 +96,7 @@ impl<M: Hydrodynamics> Tabulated<M> {
         let (far, far_error) = builder.region(Coordinate::InverseDistance, &far)?;
         let evaluations = builder.evaluations.into_inner();
         let table = Table {
-            modes: options.modes,
+            set: options.set,
             range,
             near,
             far,
@@ -180,7 +175,7 @@ impl<M: Hydrodynamics> Builder<'_, M> {
                     low,
                     high,
                     coefficients: rows.concat(),
-                    error: self.model.error_estimate(gap, self.options.modes)?,
+                    error: self.model.error_estimate(gap, self.options.set)?,
                 };
                 return Ok(vec![(piece, error)]);
             }
@@ -225,10 +220,10 @@ impl<M: Hydrodynamics> Builder<'_, M> {
 
     fn smooth_part(&self, coordinate: Coordinate, x: f64) -> Result<Vec<f64>, SceneError> {
         let gap = coordinate.gap(x)?;
-        let modes = self.options.modes;
-        let mut columns: Vec<_> = self.model.loads(gap, modes)?.columns().collect();
+        let set = self.options.set;
+        let mut columns: Vec<_> = self.model.loads(gap, set)?.columns().collect();
         if let Coordinate::LogGap = coordinate {
-            let singular = singular::loads(gap, modes, singular::AXIAL_SQUIRMING);
+            let singular = singular::loads(gap, set, singular::AXIAL_SQUIRMING);
             for (column, s) in columns.iter_mut().zip(singular.columns()) {
                 *column -= s;
             }

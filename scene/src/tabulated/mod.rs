@@ -15,9 +15,9 @@ pub use build::TableOptions;
 use serde::{Deserialize, Serialize};
 
 use self::chebyshev::add_interpolant;
-use crate::loads::{MAX_MODES, PairLoads, column_count};
+use crate::loads::{MAX_MODES, PairLoads};
 use crate::singular::Singular;
-use crate::{Gap, GapRange, Hydrodynamics, SceneError, singular};
+use crate::{Gap, GapRange, Hydrodynamics, LoadSet, SceneError, singular};
 
 /// Gap at which the table changes from `ln eps` to `1/r`, in radii.
 pub const FAR_GAP: f64 = 2.0;
@@ -70,7 +70,7 @@ pub struct Tabulated<M> {
 /// What is worked out for a table, and kept on disk.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Table {
-    modes: usize,
+    set: LoadSet,
     range: GapRange,
     /// In `ln eps`, ascending.
     near: Vec<Piece>,
@@ -115,19 +115,54 @@ impl Table {
             .ok_or(SceneError::InvalidGap { eps: gap.eps() })
     }
 
-    /// The loads from the first `N` columns, enough for `modes`.
+    /// The loads of `set` from a table whose columns are laid out as those of `layout`, of which the
+    /// first `N` are read.
     #[inline]
-    fn loads<const N: usize>(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
+    fn loads<const N: usize>(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+        layout: LoadSet,
+    ) -> Result<PairLoads, SceneError> {
         let (piece, x) = self.piece(gap)?;
         let singular = if gap.eps() <= FAR_GAP {
-            Singular::at(gap, singular::AXIAL_SQUIRMING).columns()
+            Singular::at(gap, singular::AXIAL_SQUIRMING).columns(layout)
         } else {
             [0.0; N]
         };
-        let width = column_count(self.modes);
+        let width = self.set.column_count();
         let columns = add_interpolant(&piece.coefficients, width, piece.relative(x), singular);
-        Ok(PairLoads::from_columns(modes, &columns))
+        Ok(PairLoads::from_columns(set, layout, &columns))
     }
+
+    /// The same, with the numbers of columns of 0, 1, 2 and all modes.
+    #[inline]
+    fn by_modes<const ZERO: usize, const ONE: usize, const TWO: usize, const ALL: usize>(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+        layout: LoadSet,
+    ) -> Result<PairLoads, SceneError> {
+        match set.modes {
+            0 => self.loads::<ZERO>(gap, set, layout),
+            1 => self.loads::<ONE>(gap, set, layout),
+            2 => self.loads::<TWO>(gap, set, layout),
+            // All at once would not fit into registers, but nor is this what encounters ask for.
+            _ => self.loads::<ALL>(gap, set, layout),
+        }
+    }
+}
+
+/// [`Table::by_modes`] for one layout, known to the compiler.
+macro_rules! with_layout {
+    ($table:expr, $gap:expr, $set:expr, $of:path) => {
+        $table.by_modes::<
+                                            { $of(0).column_count() },
+                                            { $of(1).column_count() },
+                                            { $of(2).column_count() },
+                                            { $of(MAX_MODES).column_count() },
+                                        >($gap, $set, $of(MAX_MODES))
+    };
 }
 
 impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
@@ -136,29 +171,28 @@ impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
     }
 
     #[inline]
-    fn loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
+    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         let table = &self.table;
-        if modes > table.modes {
-            return Err(SceneError::TooManyModes {
-                modes,
-                allowed: table.modes,
+        if !table.set.holds(set) {
+            return Err(SceneError::LoadsNotHeld {
+                asked: set,
+                held: table.set,
             });
         }
         if table.is_above(gap) {
-            return self.model.loads(gap, modes);
+            return self.model.loads(gap, set);
         }
-        match modes {
-            0 => table.loads::<{ column_count(0) }>(gap, modes),
-            1 => table.loads::<{ column_count(1) }>(gap, modes),
-            2 => table.loads::<{ column_count(2) }>(gap, modes),
-            // All at once would not fit into registers, but nor is this what encounters ask for.
-            _ => table.loads::<{ column_count(MAX_MODES) }>(gap, modes),
+        match (table.set.transverse, table.set.twist) {
+            (true, true) => with_layout!(table, gap, set, LoadSet::all),
+            (true, false) => with_layout!(table, gap, set, LoadSet::planar),
+            (false, true) => with_layout!(table, gap, set, LoadSet::axial_and_twist),
+            (false, false) => with_layout!(table, gap, set, LoadSet::axial),
         }
     }
 
-    fn error_estimate(&self, gap: Gap, modes: usize) -> Result<f64, SceneError> {
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
         if self.table.is_above(gap) {
-            return self.model.error_estimate(gap, modes);
+            return self.model.error_estimate(gap, set);
         }
         let (piece, _) = self.table.piece(gap)?;
         Ok(piece.error + self.table.summary.interpolation_error)

@@ -17,17 +17,17 @@ impl Hydrodynamics for Made {
         }
     }
 
-    fn loads(&self, gap: Gap, modes: usize) -> Result<PairLoads, SceneError> {
+    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         self.range().check(gap)?;
         let (eps, r) = (gap.eps(), gap.distance());
-        let mut loads = PairLoads::isolated(modes);
+        let mut loads = PairLoads::isolated(set);
         let jump = match self.seam {
             Some(seam) if eps > seam => 1e-3,
             _ => 0.0,
         };
         // Decays as 1/r far away, has the singular part and an eps ln eps term at contact.
         let fade = (2.0 / r).powi(3);
-        let singular = singular::loads(gap, modes, singular::AXIAL_SQUIRMING);
+        let singular = singular::loads(gap, set, singular::AXIAL_SQUIRMING);
         loads.xa.difference += fade * (singular.xa.difference + eps * gap.ln()) - 1.5 / r;
         loads.ya += SelfOther::new(0.2 / (r * r) + jump, -0.7 / r);
         for mode in loads.modes_mut() {
@@ -36,7 +36,7 @@ impl Hydrodynamics for Made {
         Ok(loads)
     }
 
-    fn error_estimate(&self, gap: Gap, _modes: usize) -> Result<f64, SceneError> {
+    fn error_estimate(&self, gap: Gap, _: LoadSet) -> Result<f64, SceneError> {
         Ok(1e-6 / gap.eps())
     }
 
@@ -55,7 +55,7 @@ impl Hydrodynamics for Made {
 
 fn table(seam: Option<f64>, noise: f64, tolerance: f64) -> Tabulated<Made> {
     let options = TableOptions {
-        modes: 2,
+        set: LoadSet::all(2),
         tolerance,
         smallest_gap: 1e-3,
     };
@@ -69,8 +69,8 @@ fn a_table_agrees_with_its_model_between_its_nodes() {
         assert_eq!(table.summary().limit, TableLimit::Tolerance(tolerance));
         for i in 0..400 {
             let gap = Gap::from_ln(-6.9 + 0.047 * f64::from(i));
-            let expected = table.model().loads(gap, 2).unwrap();
-            let found = table.loads(gap, 2).unwrap();
+            let expected = table.model().loads(gap, LoadSet::all(2)).unwrap();
+            let found = table.loads(gap, LoadSet::all(2)).unwrap();
             for (e, f) in expected.columns().zip(found.columns()) {
                 assert!(
                     (e - f).abs() <= 3.0 * tolerance * e.abs().max(1.0),
@@ -84,8 +84,13 @@ fn a_table_agrees_with_its_model_between_its_nodes() {
 #[test]
 fn a_table_reaches_to_infinity() {
     let table = table(None, 1e-14, 1e-10);
-    let far = table.loads(Gap::new(1e15).unwrap(), 2).unwrap();
-    for (found, isolated) in far.columns().zip(PairLoads::isolated(2).columns()) {
+    let far = table
+        .loads(Gap::new(1e15).unwrap(), LoadSet::all(2))
+        .unwrap();
+    for (found, isolated) in far
+        .columns()
+        .zip(PairLoads::isolated(LoadSet::all(2)).columns())
+    {
         assert_relative_eq!(found, isolated, epsilon = 1e-9);
     }
 }
@@ -93,7 +98,13 @@ fn a_table_reaches_to_infinity() {
 #[test]
 fn a_table_jumps_at_a_seam_as_its_model_does() {
     let table = table(Some(0.3), 1e-14, 1e-9);
-    let at = |eps| table.loads(Gap::new(eps).unwrap(), 2).unwrap().ya.own();
+    let at = |eps| {
+        table
+            .loads(Gap::new(eps).unwrap(), LoadSet::all(2))
+            .unwrap()
+            .ya
+            .own()
+    };
     assert_relative_eq!(at(0.3 + 1e-9) - at(0.3 - 1e-9), 1e-3, epsilon = 1e-8);
 }
 
@@ -108,14 +119,14 @@ fn a_table_stops_at_the_noise_of_its_model_and_says_so() {
 #[test]
 fn gaps_under_the_range_are_refused() {
     let table = table(None, 1e-14, 1e-6);
-    let refused = table.loads(Gap::new(9.9e-4).unwrap(), 2);
+    let refused = table.loads(Gap::new(9.9e-4).unwrap(), LoadSet::all(2));
     assert!(matches!(refused, Err(SceneError::GapOutsideRange { .. })));
 }
 
 #[test]
 fn below_a_table_the_model_answers() {
     let options = TableOptions {
-        modes: 2,
+        set: LoadSet::all(2),
         tolerance: 1e-6,
         smallest_gap: 0.01,
     };
@@ -125,7 +136,10 @@ fn below_a_table_the_model_answers() {
     };
     let table = Tabulated::build(model, options, &|_| ()).unwrap();
     let gap = Gap::new(2e-3).unwrap();
-    assert_eq!(table.loads(gap, 2), table.model().loads(gap, 2));
+    assert_eq!(
+        table.loads(gap, LoadSet::all(2)),
+        table.model().loads(gap, LoadSet::all(2))
+    );
     assert_eq!(table.range(), table.model().range());
 }
 
@@ -133,17 +147,59 @@ fn below_a_table_the_model_answers() {
 fn fewer_modes_than_tabulated_are_read_and_more_refused() {
     let table = table(None, 1e-14, 1e-6);
     let gap = Gap::new(0.1).unwrap();
-    let one = table.loads(gap, 1).unwrap();
-    assert_eq!(one.modes(), &table.loads(gap, 2).unwrap().modes()[..1]);
+    let one = table.loads(gap, LoadSet::all(1)).unwrap();
+    assert_eq!(
+        one.modes(),
+        &table.loads(gap, LoadSet::all(2)).unwrap().modes()[..1]
+    );
     assert!(matches!(
-        table.loads(gap, 3),
-        Err(SceneError::TooManyModes { .. })
+        table.loads(gap, LoadSet::all(3)),
+        Err(SceneError::LoadsNotHeld { .. })
     ));
+}
+
+#[test]
+fn a_table_of_part_of_the_loads_holds_that_part_alone() {
+    let whole = table(Some(0.3), 1e-5, 1e-5);
+    for set in [
+        LoadSet::axial(2),
+        LoadSet::axial_and_twist(1),
+        LoadSet::planar(2),
+        LoadSet::all(3),
+    ] {
+        let options = TableOptions {
+            set,
+            tolerance: 1e-5,
+            smallest_gap: 1e-3,
+        };
+        let part = Tabulated::build(whole.model().clone(), options, &|_| ()).unwrap();
+        let rows = part.table.near[0].coefficients.len() / set.column_count();
+        assert_eq!(
+            part.table.near[0].coefficients.len(),
+            rows * set.column_count()
+        );
+        for ln_gap in [-5.0, -1.0, 2.0] {
+            let gap = Gap::from_ln(ln_gap);
+            let found = part.loads(gap, set).unwrap();
+            assert_eq!(found.set(), set);
+            let truth = whole.model().loads(gap, set).unwrap();
+            for ((name, a), (_, b)) in found.named().into_iter().zip(truth.named()) {
+                assert!(
+                    (a - b).abs() < 3e-5 * b.abs().max(1.0),
+                    "{name} at {ln_gap}"
+                );
+            }
+            if whole.table.set.holds(set) {
+                assert_eq!(whole.loads(gap, set).unwrap().set(), set);
+            }
+        }
+        assert!(part.loads(Gap::from_ln(0.0), LoadSet::all(4)).is_err());
+    }
 }
 
 fn cached(model: Made, folder: &std::path::Path) -> (Tabulated<Made>, bool) {
     let options = TableOptions {
-        modes: 2,
+        set: LoadSet::all(2),
         tolerance: 1e-8,
         smallest_gap: 1e-3,
     };
