@@ -195,9 +195,10 @@ impl Maps<'_> {
             tables: vec![
                 Table { csv, ..table },
                 Table::from_rows(
-                    "Pairs that one model binds and the other parts, an example of each kind, and what the \
-                     model that parts them has of that state: none, an unstable one (its gap and growth rate \
-                     by linearised motion), or one that attracts but is not reached from there.",
+                    "Pairs that one model binds and the other parts, or binds otherwise: an example of each kind, \
+                     and what the other model has of that state (where both bind, exact hydrodynamics of \
+                     lubrication theory's): none, an unstable one with its gap and growth rate by linearised \
+                     motion, or one that attracts but is not reached from there.",
                     "trust_examples.csv",
                     &examples,
                 )?,
@@ -321,7 +322,9 @@ fn states_in_words(states: &[BoundRow]) -> String {
     }
     format!(
         "Bound states that attract every small disturbance in the plane: {}. All others in the table are \
-         saddles, or neutral.",
+         saddles, or neutral. Lubrication theory has besides, at its cut, a line of neutral states: any two \
+         squirmers side by side in parallel at a gap of exactly 1, where its loads have faded to those of \
+         lone squirmers. That is where its pullers swim together.",
         stable.join("; ")
     )
 }

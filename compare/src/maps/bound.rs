@@ -74,8 +74,9 @@ fn states(model: &Model, squirmer: &Squirmer) -> Result<Vec<BoundState>, SceneEr
     bound_states(model as &dyn Hydrodynamics, squirmer, Repulsion::PAPER)
 }
 
-/// Starts from which one model binds the pair and the other parts it, a line of `trust_examples.csv`: one
-/// example for each kind, with what the other model has of that state.
+/// Starts from which one model binds the pair and the other parts it or binds it otherwise, a line of
+/// `trust_examples.csv`: one example for each kind, with what the other model has of that state (of
+/// lubrication theory's, where both bind).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BoundExample {
     /// Form of lubrication theory.
@@ -92,7 +93,7 @@ pub struct BoundExample {
     pub delta: f64,
     /// An example.
     pub sigma: f64,
-    /// What the model that parts the pair has of the state: `absent`, `unstable` or `not reached`.
+    /// What the other model has of the state: `absent`, `unstable` or `not reached`.
     pub state: &'static str,
     /// Gap of that state, in radii.
     pub gap: f64,
@@ -128,7 +129,8 @@ pub fn bound_examples(rows: &[TrustRow], states: &[BoundRow]) -> Vec<BoundExampl
         let mut kinds: Vec<(&str, &str)> = Vec::new();
         for row in map {
             let pair = (row.outcome_lt.as_str(), row.outcome_exact.as_str());
-            if is_bound(pair.0) != is_bound(pair.1) && !kinds.contains(&pair) {
+            let bound = is_bound(pair.0) || is_bound(pair.1);
+            if bound && kind(pair.0) != kind(pair.1) && !kinds.contains(&pair) {
                 kinds.push(pair);
             }
         }
@@ -150,14 +152,14 @@ fn example(
         .filter(|row| row.outcome_lt == outcome_lt && row.outcome_exact == outcome_exact)
         .collect();
     let row = alike.get(alike.len() / 2)?;
-    let (bound, parts) = if is_bound(outcome_lt) {
+    let (bound, other) = if is_bound(outcome_lt) {
         (outcome_lt, Method::Exact.name())
     } else {
         (outcome_exact, row.method.as_str())
     };
     // Stable ones come first.
     let there = (states.iter()).find(|state| {
-        state.method == parts
+        state.method == other
             && state.beta.total_cmp(&row.beta).is_eq()
             && kind(&state.outcome) == kind(bound)
     });

@@ -66,6 +66,7 @@ const FROM_AFAR: Newton = Newton {
 
 /// Two fixed points closer than this, in each variable, are the same.
 const SAME: f64 = 1e-6;
+const SAME_IF_NEUTRAL: f64 = 1e-3;
 
 /// Eigenvalue, in `V_s/a`, up to which a state is one of a line of them: above the error of the Jacobian,
 /// far below any that was found otherwise.
@@ -176,11 +177,12 @@ fn wrapped(angle: f64) -> f64 {
 
 /// Whether two states are the same, or two of the same line.
 fn same(a: &BoundState, b: &BoundState) -> bool {
-    if a.is_neutral() && b.is_neutral() && a.outcome == b.outcome {
-        return true;
-    }
+    let neutral = a.is_neutral() && b.is_neutral();
+    // Newton's method finds a neutral one less well.
+    let close = if neutral { SAME_IF_NEUTRAL } else { SAME };
     let apart = |i: usize| wrapped(a.angles[i] - b.angles[i]).abs();
-    (a.gap.ln() - b.gap.ln()).abs() < SAME && apart(0) < SAME && apart(1) < SAME
+    (neutral && a.outcome == b.outcome)
+        || ((a.gap.ln() - b.gap.ln()).abs() < close && apart(0) < close && apart(1) < close)
 }
 
 #[cfg(test)]
