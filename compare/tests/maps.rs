@@ -87,6 +87,60 @@ fn a_map_that_was_stopped_goes_on_to_the_same_file() {
     assert!(!out.join("scatter.csv.part").exists());
 }
 
+/// Chunks that a part file holds whole.
+fn finished(out: &Path) -> usize {
+    let text = std::fs::read_to_string(out.join("scatter.csv.part")).unwrap_or_default();
+    text.lines()
+        .filter(|line| line.starts_with("done "))
+        .count()
+}
+
+#[test]
+fn a_map_that_is_killed_loses_at_most_the_lines_under_way() {
+    const LARGE: [&str; 9] = [
+        "scatter",
+        "--beta",
+        "5",
+        "--grid",
+        "100",
+        "--method",
+        "lt",
+        "--threads",
+        "2",
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_squirmers"))
+        .args(LARGE)
+        .arg("--out")
+        .arg(out)
+        .spawn()
+        .unwrap();
+    let seen = loop {
+        let seen = finished(out);
+        let over = child.try_wait().unwrap().is_some();
+        assert!(!over, "the map was done before it could be killed");
+        if seen >= 3 {
+            break seen;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    };
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let kept = finished(out);
+    assert!(kept >= seen, "{kept} of {seen} kept");
+    let stopped = squirmers(out, &[&LARGE[..], &["--time-limit", "0"]].concat());
+    let message = String::from_utf8(stopped.stderr).unwrap();
+    assert!(
+        message.contains(&format!("{} of 100 lines", 100 - kept)),
+        "{message}"
+    );
+    assert!(squirmers(out, &LARGE).status.success());
+    let whole = tempfile::tempdir().unwrap();
+    assert!(squirmers(whole.path(), &LARGE).status.success());
+    assert_eq!(text(out, "scatter.csv"), text(whole.path(), "scatter.csv"));
+}
+
 #[test]
 fn values_that_are_not_allowed_are_named() {
     for (arguments, named) in [
