@@ -8,7 +8,7 @@ use exact::Exact;
 use lt::{Form, Lubrication};
 use scene::{
     Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, Run, RunOptions, Scene, SceneError,
-    TableOptions, TableSummary, Tabulated, run,
+    SwirlLoads, TableOptions, TableSummary, Tabulated, run,
 };
 
 use crate::progress::Progress;
@@ -160,6 +160,14 @@ impl Hydrodynamics for Model {
 
     fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         self.hydrodynamics().loads(gap, set)
+    }
+
+    fn loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        self.hydrodynamics().loads_with_swirl(gap, set)
     }
 
     fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
