@@ -38,8 +38,10 @@ pub(crate) struct Arguments {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Loads of the pair at given gaps: resistance scalars and loads of squirming and swirl modes
-    #[command(after_help = "Example:\n  squirmers loads --gap 1,0.1,0.01 --method lt,bem --direct\n  \
-                            squirmers loads --gap 0.1 --modes 3 --swirl 2 --method exact --direct")]
+    #[command(
+        after_help = "Example:\n  squirmers loads --gap 1,0.1,0.01 --method lt,bem --direct\n  \
+                            squirmers loads --gap 0.1 --modes 3 --swirl 2 --method exact --direct"
+    )]
     Loads {
         /// Gaps eps = |x2-x1|/a - 2, each greater than 0
         #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
