@@ -26,6 +26,8 @@ pub struct Body {
     pub orientation: Unit<Vector3<f64>>,
     /// Squirming modes `B_1, B_2, ...`.
     pub modes: Vec<f64>,
+    /// Swirl modes `C_1, C_2, ...`.
+    pub swirl: Vec<f64>,
     /// External force.
     pub force: Vector3<f64>,
     /// External torque.
@@ -42,6 +44,7 @@ impl Body {
             position,
             orientation: Unit::new_normalize(orientation),
             modes: modes.to_vec(),
+            swirl: Vec::new(),
             force: Vector3::zeros(),
             torque: Vector3::zeros(),
             mesh_rotation: UnitQuaternion::identity(),
@@ -55,10 +58,14 @@ impl Body {
     }
 
     fn slip(&self, normal: &Vector3<f64>) -> Vector3<f64> {
-        (1..)
+        let p = &self.orientation;
+        let squirming = (1..)
             .zip(&self.modes)
-            .map(|(n, b)| slip::axisymmetric(n, &self.orientation, normal) * *b)
-            .sum()
+            .map(|(n, b)| slip::axisymmetric(n, p, normal) * *b);
+        let swirl = (1..)
+            .zip(&self.swirl)
+            .map(|(n, c)| slip::axisymmetric_swirl(n, p, normal) * *c);
+        squirming.chain(swirl).sum()
     }
 }
 

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use scene::{Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, SceneError};
+use scene::{Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, SceneError, SwirlLoads};
 
 use crate::BemError;
 use crate::mesh::{Grading, MeshFamily};
@@ -139,12 +139,24 @@ impl Hydrodynamics for Bem {
         Ok(self.solve(gap, set)?.loads)
     }
 
+    fn loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        let solution = self.solve(gap, set)?;
+        Ok((solution.loads, solution.swirl))
+    }
+
     /// The difference from the next coarser level: since errors fall by about three a level, it is
     /// about twice the error of the finer one.
     fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
-        let fine = self.solve(gap, set)?.loads;
-        let coarse = self.solve_with(&self.coarser, gap, set)?.loads;
-        Ok(CAUTION * difference(&fine, &coarse))
+        let fine = self.solve(gap, set)?;
+        let coarse = self.solve_with(&self.coarser, gap, set)?;
+        let by_swirl = (fine.swirl.columns().zip(coarse.swirl.columns()))
+            .map(|(a, b)| (a - b).abs() / a.abs().max(1.0))
+            .fold(0.0, f64::max);
+        Ok(CAUTION * difference(&fine.loads, &coarse.loads).max(by_swirl))
     }
 
     fn seams(&self) -> Vec<f64> {

@@ -7,6 +7,8 @@
 //! ```text
 //! m = 0:  P_n(p.d) P_n(n.d),          m = 1:  W_n(p.d) P_n'(n.d) (n.p_t),   p_t = p - (p.d) d.
 //! ```
+//!
+//! Swirl `Σ C_n W_n(c) p x n` is the same turned by a quarter about the normal, `n x u_s`, part by part.
 
 use nalgebra::Vector3;
 
@@ -50,6 +52,23 @@ pub fn transverse(
     ((normal * c - d) * (second * across) + (normal * across - t) * first) * factor(n)
 }
 
+/// Swirl at `normal` of the mode `n` of a squirmer with unit orientation `p`: `W_n(c) p x n`.
+#[must_use]
+pub fn axisymmetric_swirl(n: usize, p: &Vector3<f64>, normal: &Vector3<f64>) -> Vector3<f64> {
+    normal.cross(&axisymmetric(n, p, normal))
+}
+
+/// Swirl at `normal` of the azimuthal part m = 1 of the mode `n`, per `W_n(p.d)`, for `p_t = t`.
+#[must_use]
+pub fn transverse_swirl(
+    n: usize,
+    d: &Vector3<f64>,
+    t: &Vector3<f64>,
+    normal: &Vector3<f64>,
+) -> Vector3<f64> {
+    normal.cross(&transverse(n, d, t, normal))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -59,6 +78,16 @@ mod tests {
         let (d, t) = (Vector3::z(), Vector3::x());
         let normal = Vector3::new(0.48, 0.6, 0.64);
         assert!((transverse(1, &d, &t, &normal) - axisymmetric(1, &t, &normal)).norm() < 1e-15);
+    }
+
+    #[test]
+    fn swirl_is_azimuthal_and_its_first_mode_a_rotation() {
+        let (p, d) = (Vector3::new(0.6, 0.0, 0.8), Vector3::z());
+        let normal = Vector3::new(0.48, 0.6, 0.64);
+        assert!((axisymmetric_swirl(1, &p, &normal) - p.cross(&normal)).norm() < 1e-15);
+        assert!((transverse_swirl(1, &d, &p, &normal) - p.cross(&normal)).norm() < 1e-15);
+        let second = p.cross(&normal) * p.dot(&normal);
+        assert!((axisymmetric_swirl(2, &p, &normal) - second).norm() < 1e-15);
     }
 
     #[test]

@@ -8,7 +8,7 @@ use exact::Exact;
 use lt::{Form, Lubrication};
 use scene::{
     Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, Run, RunOptions, Scene, SceneError,
-    TableOptions, TableSummary, Tabulated, run,
+    SwirlLoads, TableOptions, TableSummary, Tabulated, run,
 };
 
 use crate::progress::Progress;
@@ -25,9 +25,6 @@ pub const EXACT_TABLE_TOLERANCE: f64 = 1e-9;
 /// interpolates, and the exact loads have a limiting form of their own.
 pub(crate) const EXACT_TABLE_FROM: f64 = 1e-7;
 
-/// Loads in the tables: all that `beta` calls for.
-const TABULATED: LoadSet = LoadSet::all(2);
-
 /// How the models are set up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModelOptions {
@@ -35,6 +32,8 @@ pub struct ModelOptions {
     pub mesh: usize,
     /// Whether every load is solved for, instead of read from a table.
     pub direct: bool,
+    /// Loads in the tables; by default all that `beta` calls for.
+    pub tabulated: LoadSet,
     /// Folder in which tables are kept from one run to the next, if they are.
     pub cache: Option<PathBuf>,
 }
@@ -44,6 +43,7 @@ impl Default for ModelOptions {
         Self {
             mesh: Bem::DEFAULT_LEVEL,
             direct: false,
+            tabulated: LoadSet::all(2),
             cache: dirs::cache_dir().map(|folder| folder.join("squirmers")),
         }
     }
@@ -162,6 +162,14 @@ impl Hydrodynamics for Model {
         self.hydrodynamics().loads(gap, set)
     }
 
+    fn loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        self.hydrodynamics().loads_with_swirl(gap, set)
+    }
+
     fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
         self.hydrodynamics().error_estimate(gap, set)
     }
@@ -178,7 +186,7 @@ fn tabulate<M: Hydrodynamics>(
     options: &ModelOptions,
 ) -> Result<Tabulated<M>, CompareError> {
     let table = TableOptions {
-        set: TABULATED,
+        set: options.tabulated,
         tolerance,
         smallest_gap,
     };

@@ -131,6 +131,24 @@ fn loads_writes_all_twenty_two_numbers_of_each_method() {
 }
 
 #[test]
+fn loads_writes_further_modes_and_swirl_where_they_are_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    for method in ["lt", "exact", "bem"] {
+        let ask = ["--modes", "3", "--swirl", "2", "--mesh", "1", "--direct"];
+        let of = ["loads", "--gap", "0.5", "--method", method];
+        let output = squirmers(folder.path(), &[&of[..], &ask[..]].concat());
+        assert!(output.status.success());
+        let rows = rows(&folder.path().join("loads.csv"));
+        let names: Vec<_> = rows.iter().map(|row| row[2].to_owned()).collect();
+        assert_eq!(names.len(), 10 + 3 * 6 + 2 * 6);
+        assert_eq!(names[28..31], ["XTC1_1", "XTC2_1", "YFC1_1"]);
+    }
+    refused(&["loads", "--gap", "1", "--swirl", "9"], "0 (none) to 8");
+    refused(&["loads", "--gap", "1", "--modes", "9"], "0 (none) to 8");
+    refused(&["loads", "--gap", "1", "--swirl", "-1"], "-1");
+}
+
+#[test]
 fn negative_lists_and_ranges_are_read() {
     let folder = tempfile::tempdir().unwrap();
     let arguments = [

@@ -21,8 +21,8 @@ pub enum ExactError {
         /// Terms allowed.
         allowed: usize,
     },
-    /// More squirming modes than [`scene::PairLoads`] holds.
-    #[error("{modes} squirming modes are too many: at most {allowed} are allowed")]
+    /// More squirming or swirl modes than [`scene::PairLoads`] holds.
+    #[error("{modes} slip modes are too many: at most {allowed} are allowed")]
     TooManyModes {
         /// Modes asked for.
         modes: usize,
@@ -65,9 +65,10 @@ impl From<ExactError> for SceneError {
 
 /// Refuses a set with more modes than loads hold.
 pub fn check(set: LoadSet) -> Result<(), ExactError> {
-    if set.modes > MAX_MODES {
+    let modes = set.modes.max(set.swirl);
+    if modes > MAX_MODES {
         return Err(ExactError::TooManyModes {
-            modes: set.modes,
+            modes,
             allowed: MAX_MODES,
         });
     }

@@ -9,10 +9,10 @@
 //! `r`, because its pressure is multiplied by the distance from the mirror plane. The factors are
 //! fitted to the series' own loads at gaps where it loses none, and checked at gaps not fitted.
 
-use scene::{Gap, LoadSet, PairLoads};
+use scene::{Gap, LoadSet, PairLoads, SwirlLoads};
 
 use crate::ExactError;
-use crate::fit::{Fit, geometric, largest_error, sum};
+use crate::fit::{Fit, geometric, largest_error};
 
 /// Largest gap at which the series is used.
 pub const SERIES_TO: f64 = 100.0;
@@ -34,17 +34,25 @@ impl FarField {
     pub fn fit(set: LoadSet) -> Result<Self, ExactError> {
         let gaps = geometric(FIT_FROM, FIT_TO, FITTED_GAPS);
         let fit = Fit::new(&gaps, set, inverse_powers, |_, set| {
-            PairLoads::isolated(set)
+            (PairLoads::isolated(set), SwirlLoads::isolated(set))
         })?;
         let mut form = Self { fit, error: 0.0 };
-        form.error = largest_error(&CONTROL_GAPS, set, |gap| form.loads(gap, set))?;
+        form.error = largest_error(&CONTROL_GAPS, set, |gap| {
+            (form.loads(gap, set), form.swirl(gap, set))
+        })?;
         Ok(form)
     }
 
     /// The loads at `gap`, of a set that was fitted.
     pub fn loads(&self, gap: Gap, set: LoadSet) -> PairLoads {
-        let interaction = self.fit.combine(&inverse_powers(gap), set);
-        sum(&PairLoads::isolated(set), &interaction, set)
+        let known = PairLoads::isolated(set);
+        self.fit.add_to(&known, &inverse_powers(gap))
+    }
+
+    /// The loads by swirl at `gap`, of a set that was fitted.
+    pub fn swirl(&self, gap: Gap, set: LoadSet) -> SwirlLoads {
+        let known = SwirlLoads::isolated(set);
+        self.fit.add_to_swirl(&known, set, &inverse_powers(gap))
     }
 
     /// Largest difference from the series at gaps not fitted, relative to the larger of the load

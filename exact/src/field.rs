@@ -151,8 +151,9 @@ impl SurfacePoint {
     }
 
     /// Boundary velocity of [`Transverse`]'s `case`: translation along `t`, rotation along
-    /// `d x t`, then `-2/(k(k+1)) grad_s [P_k'(n.d) n.t]`.
-    pub fn transverse_boundary(&self, case: usize) -> Velocity {
+    /// `d x t`, then `-2/(k(k+1)) grad_s [P_k'(n.d) n.t]`, and from the case `swirl` on
+    /// `-2/(k(k+1)) n x grad_s [P_k'(n.d) n.y]`.
+    pub fn transverse_boundary(&self, case: usize, swirl: usize) -> Velocity {
         let (x, radius) = (self.cosine(), self.radius());
         let along_t = |axial: f64, t: f64| Velocity {
             axial,
@@ -162,6 +163,17 @@ impl SurfacePoint {
         match case {
             0 => along_t(0.0, 1.0),
             1 => along_t(radius, x),
+            _ if case >= swirl => {
+                let k = case + 1 - swirl;
+                let [_, first, second] = legendre_jet(x, k);
+                let weight = -2.0 / (k * (k + 1)) as f64;
+                let (a, b) = (weight * second, weight * first);
+                Velocity {
+                    axial: radius * b,
+                    radial: x * b,
+                    azimuthal: a * radius * radius - x * b,
+                }
+            }
             _ => {
                 let k = case - 1;
                 let [_, first, second] = legendre_jet(x, k);
@@ -221,7 +233,7 @@ pub fn transverse_residual(flow: &Transverse, points: &[SurfacePoint]) -> f64 {
         point
             .transverse_flow(flow, case)
             .0
-            .distance(point.transverse_boundary(case))
+            .distance(point.transverse_boundary(case, flow.swirl(1)))
     })
 }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 use rayon::prelude::*;
-use scene::{Gap, LoadSet, MAX_MODES, PairLoads};
+use scene::{Gap, LoadSet, MAX_MODES, PairLoads, SwirlLoads};
 
 use crate::ExactError;
 use crate::series::Solved;
@@ -17,6 +17,9 @@ pub struct Fit {
 /// The functions of the gap that a form is a combination of.
 pub type Functions = fn(Gap) -> Vec<f64>;
 
+/// What is known of the loads at a gap.
+pub type Known = fn(Gap, LoadSet) -> (PairLoads, SwirlLoads);
+
 impl Fit {
     /// Fits `functions` to the series' loads at `gaps` less `known`, every load weighted by what
     /// rounding leaves of it.
@@ -24,25 +27,21 @@ impl Fit {
         gaps: &[Gap],
         set: LoadSet,
         functions: Functions,
-        known: fn(Gap, LoadSet) -> PairLoads,
+        known: Known,
     ) -> Result<Self, ExactError> {
         let rows: Vec<Vec<f64>> = gaps.iter().map(|gap| functions(*gap)).collect();
-        let loads: Vec<PairLoads> = gaps
+        let sizes: Vec<Vec<f64>> = gaps
             .par_iter()
-            .map(|gap| Ok(Solved::new(gap.eps(), set, 1.0)?.loads()))
+            .map(|gap| Ok(Solved::new(gap.eps(), set, 1.0)?.columns()))
             .collect::<Result<_, ExactError>>()?;
-        let targets = gaps.iter().zip(&loads).map(|(gap, loads)| {
-            let known = known(*gap, set);
-            loads
-                .columns()
-                .zip(known.columns())
-                .map(|(l, k)| l - k)
-                .collect()
+        let targets = gaps.iter().zip(&sizes).map(|(gap, loads)| {
+            let (pair, swirl) = known(*gap, set);
+            let known = pair.columns().chain(swirl.columns());
+            loads.iter().zip(known).map(|(l, k)| l - k).collect()
         });
         let targets: Vec<Vec<f64>> = targets.collect();
-        let sizes: Vec<Vec<f64>> = loads.iter().map(|l| l.columns().collect()).collect();
         let count = rows.first().map_or(0, Vec::len);
-        let mut factors = DMatrix::zeros(count, set.column_count());
+        let mut factors = DMatrix::zeros(count, sizes.first().map_or(0, Vec::len));
         for column in 0..factors.ncols() {
             let weight = |i: usize| 1.0 / sizes[i][column].abs().max(1.0);
             let matrix = DMatrix::from_fn(gaps.len(), count, |i, j| weight(i) * rows[i][j]);
@@ -52,19 +51,38 @@ impl Fit {
         Ok(Self { factors, set })
     }
 
-    /// The combination of the values of the functions, for the loads of `set`, which must be among those fitted.
-    pub fn combine(&self, functions: &[f64], set: LoadSet) -> PairLoads {
-        // On the stack: a trajectory's step may ask for this.
+    /// `known` and the combination of the values of the functions, for the loads of the pair in its set,
+    /// which must be among those fitted.
+    pub fn add_to(&self, known: &PairLoads, functions: &[f64]) -> PairLoads {
+        let set = known.set();
         let mut columns = [0.0; LoadSet::all(MAX_MODES).column_count()];
         let asked = LoadSet {
             modes: set.modes,
             ..self.set
-        }
-        .column_count();
+        };
+        self.combine(0, functions, &mut columns[..asked.column_count()]);
+        let fitted = PairLoads::from_columns(set, self.set, &columns);
+        let mut columns = [0.0; LoadSet::all(MAX_MODES).column_count()];
+        add(&mut columns, known.columns(), fitted.columns());
+        PairLoads::from_columns(set, set, &columns)
+    }
+
+    /// The same for the loads by swirl in `set`.
+    pub fn add_to_swirl(&self, known: &SwirlLoads, set: LoadSet, functions: &[f64]) -> SwirlLoads {
+        let mut columns = [0.0; LoadSet::all(MAX_MODES).column_count()];
+        let asked = known.columns().count();
+        self.combine(self.set.column_count(), functions, &mut columns[..asked]);
+        let fitted = SwirlLoads::from_columns(set, &columns);
+        add(&mut columns, known.columns(), fitted.columns());
+        SwirlLoads::from_columns(set, &columns)
+    }
+
+    /// The combination, in the columns from `first` on. On the stack: a trajectory's step may ask
+    /// for this.
+    fn combine(&self, first: usize, functions: &[f64], columns: &mut [f64]) {
         for (column, factors) in columns
             .iter_mut()
-            .zip(self.factors.column_iter())
-            .take(asked)
+            .zip(self.factors.column_iter().skip(first))
         {
             *column = functions
                 .iter()
@@ -72,13 +90,22 @@ impl Fit {
                 .map(|(f, c)| f * c)
                 .sum();
         }
-        PairLoads::from_columns(set, self.set, &columns)
     }
 
-    /// The factors of the function number `index`.
-    pub fn factors(&self, index: usize) -> PairLoads {
+    /// The factors of the function number `index`, those of the loads by swirl last.
+    pub fn factors(&self, index: usize) -> (PairLoads, SwirlLoads) {
         let row: Vec<f64> = self.factors.row(index).iter().copied().collect();
-        PairLoads::from_columns(self.set, self.set, &row)
+        let (pair, swirl) = row.split_at(self.set.column_count());
+        (
+            PairLoads::from_columns(self.set, self.set, pair),
+            SwirlLoads::from_columns(self.set, swirl),
+        )
+    }
+}
+
+fn add(sums: &mut [f64], some: impl Iterator<Item = f64>, others: impl Iterator<Item = f64>) {
+    for (sum, (a, b)) in sums.iter_mut().zip(some.zip(others)) {
+        *sum = a + b;
     }
 }
 
@@ -112,30 +139,22 @@ pub fn geometric(from: f64, to: f64, count: usize) -> Vec<Gap> {
 pub fn largest_error(
     gaps: &[f64],
     set: LoadSet,
-    form: impl Fn(Gap) -> PairLoads + Sync,
+    form: impl Fn(Gap) -> (PairLoads, SwirlLoads) + Sync,
 ) -> Result<f64, ExactError> {
     gaps.par_iter()
         .map(|eps| {
-            let series = Solved::new(*eps, set, 1.0)?.loads();
-            Ok(relative_distance(&form(Gap::from_ln(eps.ln())), &series))
+            let series = Solved::new(*eps, set, 1.0)?.columns();
+            let (pair, swirl) = form(Gap::from_ln(eps.ln()));
+            let form: Vec<f64> = pair.columns().chain(swirl.columns()).collect();
+            Ok(relative_distance(&form, &series))
         })
         .try_reduce(|| 0.0, |a, b| Ok(a.max(b)))
 }
 
-/// Largest difference of two sets of loads, relative to the larger of the load and 1.
-pub fn relative_distance(a: &PairLoads, b: &PairLoads) -> f64 {
-    a.columns()
-        .zip(b.columns())
+/// Largest difference of two sets of columns, relative to the larger of the load and 1.
+pub fn relative_distance(a: &[f64], b: &[f64]) -> f64 {
+    a.iter()
+        .zip(b)
         .map(|(a, b)| (a - b).abs() / b.abs().max(1.0))
         .fold(0.0, f64::max)
-}
-
-/// `a + b`, load by load.
-pub fn sum(a: &PairLoads, b: &PairLoads, set: LoadSet) -> PairLoads {
-    let mut columns = [0.0; LoadSet::all(MAX_MODES).column_count()];
-    let both = a.columns().zip(b.columns());
-    for (column, (a, b)) in columns.iter_mut().zip(both) {
-        *column = a + b;
-    }
-    PairLoads::from_columns(set, set, &columns)
 }

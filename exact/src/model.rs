@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use scene::{Gap, GapRange, Hydrodynamics, LoadSet, MAX_MODES, PairLoads, SceneError};
+use scene::{Gap, GapRange, Hydrodynamics, LoadSet, MAX_MODES, PairLoads, SceneError, SwirlLoads};
 
 use crate::ExactError;
 use crate::error::check;
@@ -34,9 +34,9 @@ const ROUNDING: f64 = 1e-14;
 #[derive(Clone, Debug)]
 pub struct Exact {
     factor: f64,
-    /// The limiting forms without and with transverse loads, for all squirming modes.
-    near_contact: [OnceLock<NearContact>; 2],
-    far_field: [OnceLock<FarField>; 2],
+    /// The limiting forms of each kind of set, for all modes.
+    near_contact: [OnceLock<NearContact>; KINDS],
+    far_field: [OnceLock<FarField>; KINDS],
 }
 
 /// Which form answers at a gap.
@@ -110,7 +110,7 @@ impl Exact {
     /// [`ExactError::TooManyModes`].
     pub fn contact_constants(&self, set: LoadSet) -> Result<PairLoads, ExactError> {
         check(set)?;
-        let constants = self.near_contact(set)?.constants();
+        let (constants, _) = self.near_contact(set)?.constants();
         let columns: Vec<f64> = constants.columns().collect();
         Ok(PairLoads::from_columns(set, constants.set(), &columns))
     }
@@ -120,7 +120,8 @@ impl Exact {
     ///
     /// # Errors
     /// [`ExactError::TooManyModes`].
-    pub fn log_slopes(&self, set: LoadSet) -> Result<PairLoads, ExactError> {
+    pub fn log_slopes(&self, set: LoadSet) -> Result<(PairLoads, SwirlLoads), ExactError> {
+        check(set)?;
         near_contact::log_slopes(set)
     }
 
@@ -155,24 +156,28 @@ impl Exact {
     /// What half as many terms again change, or two formulas for one load disagree by, or rounding.
     fn series_error(&self, gap: Gap, set: LoadSet) -> Result<f64, ExactError> {
         let solved = Solved::new(gap.eps(), set, self.factor)?;
-        let loads = solved.loads();
-        let finer = Solved::new(gap.eps(), set, 1.5 * self.factor)?.loads();
+        let loads = solved.columns();
+        let finer = Solved::new(gap.eps(), set, 1.5 * self.factor)?.columns();
         let by_terms = relative_distance(&loads, &finer);
-        let by_formula = relative_distance(&loads, &solved.loads_by_second_formula());
+        let by_formula = relative_distance(&loads, &solved.columns_by_second_formula());
         let by_rounding = ROUNDING * (1.0 / gap.eps()).max(1.0);
         Ok(by_terms.max(by_formula).max(by_rounding))
     }
 }
 
+/// Limiting forms are fitted for sets with and without transverse loads and swirl.
+const KINDS: usize = 4;
+
 /// Which of the limiting forms serves for a set.
 fn kind(set: LoadSet) -> usize {
-    usize::from(set.transverse)
+    usize::from(set.transverse) + 2 * usize::from(set.swirl > 0)
 }
 
 /// All loads of the kind of a set.
 fn whole(set: LoadSet) -> LoadSet {
     LoadSet {
         transverse: set.transverse,
+        swirl: if set.swirl > 0 { MAX_MODES } else { 0 },
         ..LoadSet::all(MAX_MODES)
     }
 }
@@ -207,6 +212,23 @@ impl Hydrodynamics for Exact {
             Form::NearContact(form) => Ok(form.loads(gap, set)),
             Form::Series => Ok(self.series_loads(gap, set)?),
             Form::FarField(form) => Ok(form.loads(gap, set)),
+        }
+    }
+
+    fn loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        self.range().check(gap)?;
+        check(set)?;
+        match self.form(gap, set)? {
+            Form::NearContact(form) => Ok((form.loads(gap, set), form.swirl(gap, set))),
+            Form::Series => {
+                let solved = Solved::new(gap.eps(), set, self.factor)?;
+                Ok((solved.loads(), solved.swirl_loads()))
+            }
+            Form::FarField(form) => Ok((form.loads(gap, set), form.swirl(gap, set))),
         }
     }
 

@@ -10,10 +10,10 @@
 //! nor the omitted `eps^5 L` matter. The error is measured at gaps that were not fitted, one of
 //! them below the fit.
 
-use scene::{Gap, LoadSet, PairLoads, singular};
+use scene::{Gap, LoadSet, PairLoads, SwirlLoads, singular};
 
 use crate::ExactError;
-use crate::fit::{Fit, geometric, largest_error, sum};
+use crate::fit::{Fit, geometric, largest_error};
 
 /// Smallest gap at which the series is used; below, its asymptotic form continues it.
 pub const SERIES_FROM: f64 = 1e-4;
@@ -35,18 +35,26 @@ impl NearContact {
         let gaps = geometric(SERIES_FROM, FIT_TO, FITTED_GAPS);
         let fit = Fit::new(&gaps, set, regular_functions, diverging)?;
         let mut form = Self { fit, error: 0.0 };
-        form.error = largest_error(&CONTROL_GAPS, set, |gap| form.loads(gap, set))?;
+        form.error = largest_error(&CONTROL_GAPS, set, |gap| {
+            (form.loads(gap, set), form.swirl(gap, set))
+        })?;
         Ok(form)
     }
 
     /// The loads at `gap`, of a set that was fitted.
     pub fn loads(&self, gap: Gap, set: LoadSet) -> PairLoads {
-        let regular = self.fit.combine(&powers(gap), set);
-        sum(&diverging(gap, set), &regular, set)
+        let known = singular::loads(gap, set, singular::AXIAL_SQUIRMING);
+        self.fit.add_to(&known, &powers(gap))
+    }
+
+    /// The loads by swirl at `gap`, of a set that was fitted.
+    pub fn swirl(&self, gap: Gap, set: LoadSet) -> SwirlLoads {
+        let known = singular::swirl(gap, set);
+        self.fit.add_to_swirl(&known, set, &powers(gap))
     }
 
     /// What is left of the loads at contact when their singular parts are taken out.
-    pub fn constants(&self) -> PairLoads {
+    pub fn constants(&self) -> (PairLoads, SwirlLoads) {
         self.fit.factors(0)
     }
 
@@ -59,17 +67,20 @@ impl NearContact {
 
 /// The factors of `L` fitted freely to the loads at gaps between 1e-4 and 1e-3, with nothing known
 /// beforehand but the form `s L + c + eps (l L + b) + k/eps`.
-pub fn log_slopes(set: LoadSet) -> Result<PairLoads, ExactError> {
+pub fn log_slopes(set: LoadSet) -> Result<(PairLoads, SwirlLoads), ExactError> {
     let gaps = geometric(SERIES_FROM, 1e-3, 10);
     let fit = Fit::new(&gaps, set, singular_functions, |_, set| {
-        PairLoads::zero(set)
+        (PairLoads::zero(set), SwirlLoads::zero(set))
     })?;
     Ok(fit.factors(0))
 }
 
 /// The known diverging parts.
-fn diverging(gap: Gap, set: LoadSet) -> PairLoads {
-    singular::loads(gap, set, singular::AXIAL_SQUIRMING)
+fn diverging(gap: Gap, set: LoadSet) -> (PairLoads, SwirlLoads) {
+    (
+        singular::loads(gap, set, singular::AXIAL_SQUIRMING),
+        singular::swirl(gap, set),
+    )
 }
 
 /// `1, eps L, eps, eps^2 L, eps^2, ...`.

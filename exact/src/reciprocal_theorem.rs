@@ -8,6 +8,8 @@
 
 use gauss_quad::legendre::GaussLegendre;
 
+use scene::LoadSet;
+
 use crate::axial::Axial;
 use crate::field::{SurfacePoint, Velocity};
 use crate::geometry::{Geometry, Parity};
@@ -37,11 +39,12 @@ fn assert_reciprocal(name: &str, eps: f64, direct: f64, by_traction: f64, tolera
 }
 
 fn check(eps: f64, modes: usize, tolerance: f64) {
+    let set = LoadSet::all(modes).with_swirl(modes);
     let geometry = Geometry::new(eps, modes, 1.0).unwrap();
     let c = geometry.sinh;
     for parity in [Parity::Even, Parity::Odd] {
         let axial = Axial::solve(geometry, parity, modes).unwrap();
-        let transverse = Transverse::solve(geometry, parity, modes).unwrap();
+        let transverse = Transverse::solve(geometry, parity, set).unwrap();
         for k in 1..=modes {
             let force = integral(geometry, |point, s| {
                 let slope = point.axial_flow(&axial, 0).1;
@@ -49,16 +52,16 @@ fn check(eps: f64, modes: usize, tolerance: f64) {
             });
             assert_reciprocal("XF", eps, axial.force(k), force, tolerance);
         }
-        for case in ROTATION..ROTATION + modes {
+        for case in ROTATION..=ROTATION + 2 * modes {
             let force = integral(geometry, |point, s| {
                 let slope = point.transverse_flow(&transverse, TRANSLATION).1;
-                -c * dot(point.transverse_boundary(case), slope) / s
+                -c * dot(point.transverse_boundary(case, transverse.swirl(1)), slope) / s
             });
             assert_reciprocal("YF", eps, transverse.force(case), force, tolerance);
             let torque = integral(geometry, |point, s| {
                 let slope = point.transverse_flow(&transverse, ROTATION).1;
-                let rigid = point.transverse_boundary(ROTATION);
-                let slip = point.transverse_boundary(case);
+                let rigid = point.transverse_boundary(ROTATION, transverse.swirl(1));
+                let slip = point.transverse_boundary(case, transverse.swirl(1));
                 -c * (dot(slip, slope) + c * dot(slip, rigid) / s) / s
             });
             assert_reciprocal("YT", eps, transverse.torque(case), torque, tolerance);

@@ -5,7 +5,7 @@
 //! transverse torques; so the sum of the scalars of sphere 1 and 2 is the odd problem there, the
 //! even one for transverse forces and axial torques.
 
-use scene::{LoadSet, PairLoads, SelfOther};
+use scene::{LoadSet, PairLoads, SelfOther, SwirlLoads};
 
 use crate::ExactError;
 use crate::axial::Axial;
@@ -56,13 +56,13 @@ impl Solved {
     pub fn new(eps: f64, set: LoadSet, factor: f64) -> Result<Self, ExactError> {
         check(set)?;
         let modes = set.modes;
-        let geometry = Geometry::new(eps, modes, factor)?;
-        let across = || EvenOdd::new(|parity| Transverse::solve(geometry, parity, modes));
+        let geometry = Geometry::new(eps, modes.max(set.swirl), factor)?;
+        let across = || EvenOdd::new(|parity| Transverse::solve(geometry, parity, set));
         Ok(Self {
             geometry,
             set,
             axial: EvenOdd::new(|parity| Axial::solve(geometry, parity, modes))?,
-            transverse: set.transverse.then(across).transpose()?,
+            transverse: (set.transverse || set.swirl > 0).then(across).transpose()?,
         })
     }
 
@@ -82,8 +82,49 @@ impl Solved {
             loads.yb = transverse.even_is_sum(|t| t.force(ROTATION) / 4.0);
             loads.yc = transverse.odd_is_sum(|t| t.torque(ROTATION) / -8.0);
             for (k, mode) in loads.modes_mut().iter_mut().enumerate() {
-                mode.yf = transverse.even_is_sum(|t| t.force(2 + k));
-                mode.yt = transverse.odd_is_sum(|t| t.torque(2 + k));
+                mode.yf = transverse.even_is_sum(|t| t.force(t.squirming(1 + k)));
+                mode.yt = transverse.odd_is_sum(|t| t.torque(t.squirming(1 + k)));
+            }
+        }
+        loads
+    }
+
+    /// All columns of the loads: those of the pair, then those by swirl.
+    pub fn columns(&self) -> Vec<f64> {
+        let swirl = self.swirl_loads();
+        self.loads().columns().chain(swirl.columns()).collect()
+    }
+
+    /// The same by a second formula where there is one.
+    pub fn columns_by_second_formula(&self) -> Vec<f64> {
+        let swirl = self.swirl_loads_by_second_formula();
+        (self.loads_by_second_formula().columns())
+            .chain(swirl.columns())
+            .collect()
+    }
+
+    /// The loads by swirl.
+    pub fn swirl_loads(&self) -> SwirlLoads {
+        let mut loads = SwirlLoads::zero(self.set);
+        let Some(transverse) = &self.transverse else {
+            return loads;
+        };
+        let twists = twist::swirl(&self.geometry, self.set.swirl);
+        for ((k, mode), xtc) in (1..).zip(loads.modes_mut()).zip(twists) {
+            mode.xtc = xtc;
+            mode.yfc = transverse.even_is_sum(|t| t.force(t.swirl(k)));
+            // Along `p_t`, which is opposed to `d x t`.
+            mode.ytc = transverse.odd_is_sum(|t| -t.torque(t.swirl(k)));
+        }
+        loads
+    }
+
+    /// The loads by swirl again, torques from the axial field.
+    fn swirl_loads_by_second_formula(&self) -> SwirlLoads {
+        let mut loads = self.swirl_loads();
+        if let Some(transverse) = &self.transverse {
+            for (k, mode) in (1..).zip(loads.modes_mut()) {
+                mode.ytc = transverse.odd_is_sum(|t| -t.torque_by_axial_field(t.swirl(k)));
             }
         }
         loads
@@ -91,13 +132,13 @@ impl Solved {
 
     /// The loads again where a second formula gives them: torques from the axial field, and `YB`
     /// from the torque by translation instead of the force by rotation.
-    pub fn loads_by_second_formula(&self) -> PairLoads {
+    fn loads_by_second_formula(&self) -> PairLoads {
         let mut loads = self.loads();
         if let Some(transverse) = &self.transverse {
             loads.yb = transverse.even_is_sum(|t| t.torque(TRANSLATION) / 4.0);
             loads.yc = transverse.odd_is_sum(|t| t.torque_by_axial_field(ROTATION) / -8.0);
             for (k, mode) in loads.modes_mut().iter_mut().enumerate() {
-                mode.yt = transverse.odd_is_sum(|t| t.torque_by_axial_field(2 + k));
+                mode.yt = transverse.odd_is_sum(|t| t.torque_by_axial_field(t.squirming(1 + k)));
             }
         }
         loads

@@ -77,7 +77,8 @@ impl Surface {
         }
     }
 
-    fn over_denominator(&self, mut series: Vec<f64>) -> Vec<f64> {
+    /// A series over `S`.
+    pub fn over_denominator(&self, mut series: Vec<f64>) -> Vec<f64> {
         for n in 1..series.len() {
             series[n] -= self.below[n] * series[n - 1];
         }

@@ -15,6 +15,8 @@
 
 use std::f64::consts::SQRT_2;
 
+use scene::LoadSet;
+
 use crate::ExactError;
 use crate::geometry::{Geometry, Parity};
 use crate::stencil::{
@@ -48,9 +50,11 @@ pub struct Fields {
     pub second: Field,
 }
 
-/// The flows of one parity: translation along `t`, rotation along `d x t`, then the modes 1, 2, ….
+/// The flows of one parity: translation along `t`, rotation along `d x t`, the squirming modes 1, 2, …,
+/// and the swirl modes 1, 2, … with `d x p_t = t`.
 pub struct Transverse {
     geometry: Geometry,
+    modes: usize,
     /// The fields.
     pub fields: Fields,
     /// Their coefficients.
@@ -66,8 +70,8 @@ struct Boundary {
 }
 
 impl Transverse {
-    /// Solves for translation, rotation and `modes` squirming modes.
-    pub fn solve(geometry: Geometry, parity: Parity, modes: usize) -> Result<Self, ExactError> {
+    /// Solves for translation, rotation and the slip modes of `set`.
+    pub fn solve(geometry: Geometry, parity: Parity, set: LoadSet) -> Result<Self, ExactError> {
         let field = |index, order, envelope| Field {
             index,
             order,
@@ -79,14 +83,25 @@ impl Transverse {
             mean: field(2, 0, parity),
             second: field(3, 2, parity),
         };
-        let cases = boundary_velocities(geometry, modes);
+        let cases = boundary_velocities(geometry, set);
         let system = assemble(geometry, parity, &fields);
         let series = system.solve(right_hand_sides(geometry, &cases), cases.len())?;
         Ok(Self {
             geometry,
+            modes: set.modes,
             fields,
             series,
         })
+    }
+
+    /// The case of the squirming mode `n`.
+    pub fn squirming(&self, n: usize) -> usize {
+        ROTATION + n
+    }
+
+    /// The case of the swirl mode `n`.
+    pub fn swirl(&self, n: usize) -> usize {
+        ROTATION + self.modes + n
     }
 
     /// Force of the fluid on sphere 1 along `t`, over `pi`.
@@ -195,8 +210,8 @@ impl Basis {
     }
 }
 
-fn boundary_velocities(geometry: Geometry, modes: usize) -> Vec<Boundary> {
-    let basis = Basis::new(geometry, modes);
+fn boundary_velocities(geometry: Geometry, set: LoadSet) -> Vec<Boundary> {
+    let basis = Basis::new(geometry, set.modes.max(set.swirl));
     let zero = vec![0.0; geometry.degree + 1];
     let double = |series: &[f64]| series.iter().map(|v| 2.0 * v).collect();
     let translation = Boundary {
@@ -210,8 +225,13 @@ fn boundary_velocities(geometry: Geometry, modes: usize) -> Vec<Boundary> {
         difference: double(&basis.on_axis.value[1]),
         sum: zero,
     };
-    let slip = (1..=modes).map(|k| slip(&basis, k));
-    [translation, rotation].into_iter().chain(slip).collect()
+    let slip = (1..=set.modes).map(|k| slip(&basis, k));
+    let swirl = (1..=set.swirl).map(|k| swirl(&basis, k));
+    [translation, rotation]
+        .into_iter()
+        .chain(slip)
+        .chain(swirl)
+        .collect()
 }
 
 /// `-2/(k(k+1)) grad_s [P_k'(x) n.t]`, with Legendre's equation used to shorten it. With
@@ -245,6 +265,19 @@ fn slip(basis: &Basis, k: usize) -> Boundary {
         axial,
         difference,
         sum,
+    }
+}
+
+/// `-2/(k(k+1)) n x grad_s [P_k'(x) n.y]`: the slip of a squirming mode whose transverse heading is
+/// along `y`, turned by a quarter about the normal. With `f` as in [`slip`],
+/// `u_z = rho f`, `u_rho - u_phi = -2 P_k`, `u_rho + u_phi = rho^2 f'`.
+fn swirl(basis: &Basis, k: usize) -> Boundary {
+    let weight = -2.0 / (k * (k + 1)) as f64;
+    let times = |factor: f64, series: &[f64]| series.iter().map(|v| factor * v).collect();
+    Boundary {
+        axial: times(weight, &basis.off_axis.first[k]),
+        difference: times(-2.0, &basis.on_axis.value[k]),
+        sum: times(weight, &basis.doubly.second[k]),
     }
 }
 

@@ -14,12 +14,14 @@ use std::f64::consts::PI;
 
 use exact::Exact;
 use nalgebra::DMatrix;
-use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, SelfOther};
+use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, SelfOther, SwirlLoads};
 
 /// Components along rho, phi, z, without their factors `cos`, `sin`, `cos` of `m phi`.
 type Vector = [f64; 3];
 
 const MODES: usize = 8;
+
+const SET: LoadSet = LoadSet::all(MODES).with_swirl(MODES);
 
 /// `P_k`, `P_k'`, `P_k''` at `x`.
 fn legendre(k: usize, x: f64) -> [f64; 3] {
@@ -150,7 +152,8 @@ fn axial_cases(angle: f64) -> Vec<Vector> {
     std::iter::once([0.0, 0.0, 1.0]).chain(slip).collect()
 }
 
-/// Translation along x, rotation along y, then slip `-2/(k(k+1)) ∇_s [P_k'(n.d) n.t]`.
+/// Translation along x, rotation along y, then slip `-2/(k(k+1)) ∇_s [P_k'(n.d) n.t]`, then swirl
+/// `-2/(k(k+1)) n x ∇_s [P_k'(n.d) n.t']` with `t' = -y`, so that `d x t'` is x.
 fn transverse_cases(angle: f64) -> Vec<Vector> {
     let (sin, cos) = angle.sin_cos();
     let slip = (1..=MODES).map(|k| {
@@ -159,17 +162,37 @@ fn transverse_cases(angle: f64) -> Vec<Vector> {
         let along_theta = w * (cos * first - sin * sin * second);
         [along_theta * cos, -w * first, -along_theta * sin]
     });
+    let swirl = (1..=MODES).map(|k| {
+        let [_, first, second] = legendre(k, cos);
+        let w = -2.0 / (k * (k + 1)) as f64;
+        [
+            w * first * cos,
+            w * (second * sin * sin - first * cos),
+            -w * first * sin,
+        ]
+    });
     [[1.0, -1.0, 0.0], [cos, -cos, -sin]]
         .into_iter()
         .chain(slip)
+        .chain(swirl)
         .collect()
 }
 
-fn loads_by_lamb(gap: Gap) -> PairLoads {
+/// Twist, then the swirl `W_k(c) d x n`.
+fn twist_cases(angle: f64) -> Vec<Vector> {
+    let (sin, cos) = angle.sin_cos();
+    let swirl = (1..=MODES).map(|k| {
+        let w = 2.0 * legendre(k, cos)[1] / (k * (k + 1)) as f64;
+        [0.0, w * sin, 0.0]
+    });
+    std::iter::once([0.0, sin, 0.0]).chain(swirl).collect()
+}
+
+fn loads_by_lamb(gap: Gap) -> (PairLoads, SwirlLoads) {
     let mut loads = PairLoads::zero(LoadSet::all(MODES));
     let (p, chi) = (0, 1);
     let axial = degree_one(gap, 0, &[0, 1], &[0, 2], &axial_cases);
-    let twist = degree_one(gap, 0, &[2], &[1], &|angle| vec![[0.0, angle.sin(), 0.0]]);
+    let twist = degree_one(gap, 0, &[2], &[1], &twist_cases);
     let transverse = degree_one(gap, 1, &[0, 2, 1], &[0, 1, 2], &transverse_cases);
     // Over pi: force by the fluid -4 times, torque -8 times the coefficient of degree 1.
     let force = |c: &[Vec<Vec<f64>>], case: usize, scale: f64| {
@@ -191,16 +214,25 @@ fn loads_by_lamb(gap: Gap) -> PairLoads {
         mode.yf = force(&transverse, 2 + k, 1.0);
         mode.yt = torque(2 + k, 1.0);
     }
-    loads
+    let mut swirl = SwirlLoads::zero(SET);
+    for (k, mode) in swirl.modes_mut().iter_mut().enumerate() {
+        let by_twist = |sphere: usize| -8.0 * twist[sphere][0][1 + k];
+        mode.xtc = SelfOther::new(by_twist(0), by_twist(1));
+        mode.yfc = force(&transverse, 2 + MODES + k, 1.0);
+        mode.ytc = torque(2 + MODES + k, -1.0);
+    }
+    (loads, swirl)
 }
 
 #[test]
 fn val_all_loads_are_those_of_lambs_solution_about_both_centres() {
     for eps in [2.0, 1.0, 0.5] {
         let gap = Gap::new(eps).unwrap();
-        let exact = Exact::new().loads(gap, LoadSet::all(MODES)).unwrap();
-        let lamb = loads_by_lamb(gap);
-        for ((name, own), (_, other)) in exact.named().into_iter().zip(lamb.named()) {
+        let (exact, exact_swirl) = Exact::new().loads_with_swirl(gap, SET).unwrap();
+        let (lamb, lamb_swirl) = loads_by_lamb(gap);
+        let exact = exact.named().into_iter().chain(exact_swirl.named());
+        let lamb = lamb.named().into_iter().chain(lamb_swirl.named());
+        for ((name, own), (_, other)) in exact.zip(lamb) {
             assert!(
                 (own - other).abs() < 1e-10,
                 "{name} at {eps}: {own:.13} here, {other:.13} by Lamb's solution"

@@ -70,8 +70,8 @@ fn touching_spheres_that_twist_oppositely_have_a_torque_of_zeta_of_three() {
 }
 
 #[test]
-fn squirming_loads_grow_with_the_logarithm_of_the_gap_as_3_1_and_8_and_2_fifths() {
-    let slopes = EXACT.log_slopes(LoadSet::all(3)).unwrap();
+fn slip_loads_grow_with_the_logarithm_of_the_gap_as_3_1_and_8_and_2_fifths_in_every_mode() {
+    let (slopes, swirl) = EXACT.log_slopes(LoadSet::all(3).with_swirl(3)).unwrap();
     println!("{:?}", slopes.named());
     for mode in slopes.modes() {
         for (slope, expected) in [
@@ -86,6 +86,18 @@ fn squirming_loads_grow_with_the_logarithm_of_the_gap_as_3_1_and_8_and_2_fifths(
                 (slope - expected).abs() < 5e-4 * f64::abs(expected),
                 "{slope} {expected}"
             );
+        }
+    }
+    for mode in swirl.modes() {
+        for (slope, expected) in [
+            (mode.xtc.own(), 0.0),
+            (mode.xtc.other(), 0.0),
+            (mode.yfc.own(), 1.0),
+            (mode.yfc.other(), -1.0),
+            (mode.ytc.own(), -1.6),
+            (mode.ytc.other(), -0.4),
+        ] {
+            assert!((slope - expected).abs() < 5e-4, "{slope} {expected}");
         }
     }
 }

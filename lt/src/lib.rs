@@ -15,7 +15,7 @@
 //! ```
 
 use scene::singular::{self, Singular};
-use scene::{Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, SceneError, SelfOther};
+use scene::{Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, SceneError, SelfOther, SwirlLoads};
 
 /// Gap up to which the spheres interact, in sphere radii.
 pub const CUTOFF: f64 = 1.0;
@@ -73,6 +73,18 @@ impl Hydrodynamics for Lubrication {
         }
     }
 
+    fn loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        if gap.eps() > CUTOFF {
+            Ok((self.loads(gap, set)?, SwirlLoads::isolated(set)))
+        } else {
+            self.interacting_loads_with_swirl(gap, set)
+        }
+    }
+
     fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
         set.check()?;
         self.range().check(gap)?;
@@ -109,6 +121,23 @@ impl Hydrodynamics for Lubrication {
         Ok(PairLoads::from_parts([xa, ya, yb, unit, yc], set, |n| {
             if n == 0 { first } else { mode }
         }))
+    }
+
+    #[inline]
+    fn interacting_loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        let loads = self.interacting_loads(gap, set)?;
+        let mut swirl = singular::swirl(gap, set);
+        if let Some(first) = swirl.modes_mut().first_mut() {
+            // The torque on a lone sphere.
+            let torque = SelfOther::new(-8.0, 0.0);
+            first.xtc += torque;
+            first.ytc += torque;
+        }
+        Ok((loads, swirl))
     }
 }
 
@@ -154,6 +183,30 @@ mod tests {
                     assert_relative_eq!(value, expected, max_relative = 4e-15, epsilon = 4e-15);
                 }
             }
+        }
+    }
+
+    #[test]
+    fn val_the_first_swirl_mode_has_the_loads_of_rigid_rotation() {
+        let model = Lubrication::new(Form::Corrected);
+        for eps in [3.0, 0.3, 1e-5] {
+            let gap = Gap::new(eps).unwrap();
+            let set = LoadSet::all(0).with_swirl(3);
+            let (pair, swirl) = model.loads_with_swirl(gap, set).unwrap();
+            let [first, second, third] = *swirl.modes() else {
+                panic!("{swirl:?}")
+            };
+            for (of_swirl, unit, of_rotation) in [
+                (first.xtc, -8.0, pair.xc),
+                (first.yfc, -4.0, pair.yb),
+                (first.ytc, -8.0, pair.yc),
+            ] {
+                assert_relative_eq!(of_swirl.sum, unit * of_rotation.sum, max_relative = 4e-15);
+                let difference = unit * of_rotation.difference;
+                assert_relative_eq!(of_swirl.difference, difference, max_relative = 4e-15);
+            }
+            assert_eq!(second, third, "the slip at the contact point is the same");
+            assert_eq!(second.yfc, first.yfc);
         }
     }
 

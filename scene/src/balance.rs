@@ -16,7 +16,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use crate::{Gap, PairLoads, SelfOther, Squirmer, legendre};
+use crate::{Gap, PairLoads, SelfOther, Squirmer, SwirlLoads, legendre};
 
 /// A quantity perpendicular to `d`: a number in planar motion, a vector in three dimensions.
 pub trait Transverse:
@@ -146,7 +146,82 @@ pub fn pair_velocity<T: Transverse>(
     headings: &[Heading<T>; 2],
     external: &External<T>,
 ) -> PairVelocity<T> {
-    let slip = squirming(loads, squirmers, headings);
+    balanced(gap, loads, &squirming(loads, squirmers, headings), external)
+}
+
+/// The same with swirl; `turned` are the transverse headings turned by a quarter, `d x v`.
+#[inline]
+pub fn pair_velocity_with_swirl<T: Transverse>(
+    gap: Gap,
+    (loads, swirl): (&PairLoads, &SwirlLoads),
+    squirmers: &[Squirmer; 2],
+    (headings, turned): (&[Heading<T>; 2], &[T; 2]),
+    external: &External<T>,
+) -> PairVelocity<T> {
+    let mut slip = squirming(loads, squirmers, headings);
+    // Per unit transverse heading of each squirmer: [F+, F-, T+, T-].
+    let mut of = [[0.0; 4]; 2];
+    for (k, coefficients) in of.iter_mut().enumerate() {
+        let orders = legendre(headings[k].cosine);
+        let modes = squirmers[k].swirl().iter().zip(swirl.modes());
+        for ((c, mode), order) in modes.zip(orders) {
+            let strength = c * order.w;
+            coefficients[0] += strength * mode.yfc.sum;
+            coefficients[1] += strength * mode.yfc.difference;
+            coefficients[2] += strength * mode.ytc.sum;
+            coefficients[3] += strength * mode.ytc.difference;
+        }
+    }
+    // Torques along `t` are `-d x t` in the form `T x d`.
+    let ([v1, v2], [along, second]) = (*turned, of);
+    slip.force_sum = slip.force_sum + v1 * along[0] - v2 * second[0];
+    slip.force_difference = slip.force_difference + v1 * along[1] + v2 * second[1];
+    slip.torque_sum = slip.torque_sum - v1 * along[2] - v2 * second[2];
+    slip.torque_difference = slip.torque_difference - v1 * along[3] + v2 * second[3];
+    balanced(gap, loads, &slip, external)
+}
+
+/// Spin of each squirmer about `d` by the axial torques of swirl.
+#[inline]
+#[must_use]
+pub fn axial_spin_by_swirl<T>(
+    (loads, swirl): (&PairLoads, &SwirlLoads),
+    squirmers: &[Squirmer; 2],
+    headings: &[Heading<T>; 2],
+) -> [f64; 2] {
+    let of = |k: usize| {
+        squirmers[k]
+            .swirl()
+            .iter()
+            .zip(legendre(headings[k].cosine))
+    };
+    let mut torque = SelfOther::default();
+    for (mode, (c, order)) in swirl.modes().iter().zip(of(0)) {
+        torque.sum += c * order.p * mode.xtc.sum;
+        torque.difference += c * order.p * mode.xtc.difference;
+    }
+    for (mode, (c, order)) in swirl.modes().iter().zip(of(1)) {
+        torque.sum -= c * order.p * mode.xtc.sum;
+        torque.difference += c * order.p * mode.xtc.difference;
+    }
+    axial_spins(loads, torque)
+}
+
+/// Spins about `d` by torques about it, per `pi mu a^2`, as sum and difference over the spheres.
+#[inline]
+pub(crate) fn axial_spins(loads: &PairLoads, torque: SelfOther) -> [f64; 2] {
+    let sum = torque.sum / (8.0 * loads.xc.sum);
+    let difference = torque.difference / (8.0 * loads.xc.difference);
+    [0.5 * (sum + difference), 0.5 * (sum - difference)]
+}
+
+#[inline]
+fn balanced<T: Transverse>(
+    gap: Gap,
+    loads: &PairLoads,
+    slip: &Squirming<T>,
+    external: &External<T>,
+) -> PairVelocity<T> {
     let axial_difference = slip.axial.difference - 2.0 * external.repulsion;
     let [t1, t2] = external.torque;
     let (sum, spin_difference) = solve_transverse(

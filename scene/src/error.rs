@@ -45,8 +45,8 @@ pub enum SceneError {
         /// Largest gap allowed.
         largest: f64,
     },
-    /// More squirming modes than the model holds.
-    #[error("{modes} squirming modes are too many: at most {allowed} are allowed")]
+    /// More squirming or swirl modes than loads hold.
+    #[error("{modes} slip modes are too many: at most {allowed} are allowed")]
     TooManyModes {
         /// Modes asked for.
         modes: usize,

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Gap, LoadSet, PairLoads, SceneError};
+use crate::{Gap, LoadSet, PairLoads, SceneError, SwirlLoads};
 
 /// Gaps for which a model vouches, `smallest <= eps <= largest` (in sphere radii).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -43,13 +43,23 @@ pub trait Hydrodynamics: Sync {
     /// Gaps for which [`Self::loads`] answers.
     fn range(&self) -> GapRange;
 
-    /// The loads of `set` at `gap`.
+    /// The loads of `set` at `gap`, but for those by swirl.
     ///
     /// # Errors
     /// [`SceneError::GapOutsideRange`] for a gap outside [`Self::range`],
     /// [`SceneError::TooManyModes`] or [`SceneError::LoadsNotHeld`] if the model does not hold the set, and
     /// [`SceneError::Model`] if the model could not compute the loads.
     fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError>;
+
+    /// The same with the loads by the swirl modes of `set`.
+    ///
+    /// # Errors
+    /// As [`Self::loads`].
+    fn loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError>;
 
     /// The model's own estimate of its error at `gap`: the largest over all loads of the error
     /// relative to the larger of the load and 1. Zero for a closed form, which is exact as a
@@ -72,6 +82,18 @@ pub trait Hydrodynamics: Sync {
     /// As [`Self::loads`].
     fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         self.loads(gap, set)
+    }
+
+    /// The same with the loads by the swirl modes of `set`.
+    ///
+    /// # Errors
+    /// As [`Self::loads`].
+    fn interacting_loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        self.loads_with_swirl(gap, set)
     }
 
     /// Ascending gaps at which the model's discretisation changes, so that the loads jump by

@@ -21,6 +21,7 @@ pub mod ode;
 mod scene;
 pub mod singular;
 mod squirmer;
+pub mod swirl;
 mod tabulated;
 
 pub use effects::{Gravity, Repulsion};
@@ -35,4 +36,5 @@ pub use motion::{
 };
 pub use scene::{Orientation, Pose, Scene};
 pub use squirmer::Squirmer;
+pub use swirl::{SwirlLoads, SwirlModeLoads};
 pub use tabulated::{FAR_GAP, TableLimit, TableOptions, TableSummary, Tabulated};

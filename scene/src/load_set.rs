@@ -21,6 +21,8 @@ pub struct LoadSet {
     pub transverse: bool,
     /// Rotation about the line of centres: `XC`.
     pub twist: bool,
+    /// Swirl modes, 1 to this: [`crate::SwirlLoads`], all three loads of each.
+    pub swirl: usize,
 }
 
 impl LoadSet {
@@ -31,6 +33,7 @@ impl LoadSet {
             modes,
             transverse: false,
             twist: false,
+            swirl: 0,
         }
     }
 
@@ -41,6 +44,7 @@ impl LoadSet {
             modes,
             transverse: true,
             twist: true,
+            swirl: 0,
         }
     }
 
@@ -51,6 +55,7 @@ impl LoadSet {
             modes,
             transverse: true,
             twist: false,
+            swirl: 0,
         }
     }
 
@@ -61,7 +66,14 @@ impl LoadSet {
             modes,
             transverse: false,
             twist: true,
+            swirl: 0,
         }
+    }
+
+    /// The same with the loads of the swirl modes 1 to `swirl`.
+    #[must_use]
+    pub const fn with_swirl(self, swirl: usize) -> Self {
+        Self { swirl, ..self }
     }
 
     /// Whether every load of `other` is in this set.
@@ -71,6 +83,7 @@ impl LoadSet {
         self.modes >= other.modes
             && (self.transverse || !other.transverse)
             && (self.twist || !other.twist)
+            && self.swirl >= other.swirl
     }
 
     /// The set, unless it has more modes than [`PairLoads`] can hold.
@@ -79,9 +92,13 @@ impl LoadSet {
     /// [`SceneError::TooManyModes`].
     #[inline]
     pub const fn check(self) -> Result<Self, SceneError> {
-        if self.modes > MAX_MODES {
+        if self.modes > MAX_MODES || self.swirl > MAX_MODES {
             return Err(SceneError::TooManyModes {
-                modes: self.modes,
+                modes: if self.modes > MAX_MODES {
+                    self.modes
+                } else {
+                    self.swirl
+                },
                 allowed: MAX_MODES,
             });
         }
@@ -110,6 +127,9 @@ impl std::fmt::Display for LoadSet {
         write!(f, "{} squirming modes", self.modes)?;
         for (there, what) in [(self.transverse, "transverse"), (self.twist, "twist")] {
             write!(f, ", {}{what}", if there { "" } else { "no " })?;
+        }
+        if self.swirl > 0 {
+            write!(f, ", {} swirl modes", self.swirl)?;
         }
         Ok(())
     }

@@ -115,7 +115,9 @@ impl Scene {
             modes: one.modes().len().max(two.modes().len()),
             transverse: true,
             // Without a torque about the line of centres nothing but slip across it turns a squirmer.
-            twist: !self.is_planar() && self.acting_gravity().is_some(),
+            twist: (!self.is_planar() && self.acting_gravity().is_some())
+                || self.acting_swirl() > 0,
+            swirl: self.acting_swirl(),
         }
     }
 
@@ -126,6 +128,15 @@ impl Scene {
         self.gravity.filter(|_| turns)
     }
 
+    /// Highest swirl mode, 0 if swirl has no effect: `C_1` alone turns a squirmer about its own axis,
+    /// which changes nothing, whatever is around it.
+    #[must_use]
+    pub fn acting_swirl(&self) -> usize {
+        let [one, two] = &self.squirmers;
+        let highest = one.swirl().len().max(two.swirl().len());
+        if highest > 1 { highest } else { 0 }
+    }
+
     /// Whether the motion stays in a plane of constant z, by symmetry.
     #[must_use]
     pub fn is_planar(&self) -> bool {
@@ -133,6 +144,7 @@ impl Scene {
         #[expect(clippy::float_cmp, reason = "planar means exactly planar")]
         let level = one.position.z == two.position.z;
         level
+            && self.acting_swirl() == 0
             && self.start.iter().all(|pose| pose.orientation.is_planar())
             && self
                 .acting_gravity()

@@ -5,7 +5,7 @@
 //! (2019) 053102. Lubrication theory adds these to the isolated loads, tables subtract them so
 //! that what is left is smooth at contact.
 
-use crate::{Gap, LoadSet, ModeLoads, PairLoads, SelfOther};
+use crate::{Gap, LoadSet, ModeLoads, PairLoads, SelfOther, SwirlLoads, SwirlModeLoads};
 
 /// Coefficient of `L` in the axial squirming force `XF1_n = -XF2_n`, every mode alike.
 ///
@@ -111,4 +111,32 @@ pub fn loads(gap: Gap, set: LoadSet, axial_squirming: f64) -> PairLoads {
         mode,
     } = Singular::at(gap, axial_squirming);
     PairLoads::from_parts([xa, ya, yb, SelfOther::default(), yc], set, |_| mode)
+}
+
+/// The diverging parts of the loads by swirl, every mode alike: at the contact point the slip of each
+/// mode is that of rigid rotation, and so are the logarithms, `YFC = -4 YB` and `YTC = -8 YC`.
+///
+/// ```
+/// use scene::{Gap, LoadSet, singular};
+/// let gap = Gap::new(0.01)?;
+/// let loads = singular::swirl(gap, LoadSet::all(0).with_swirl(3));
+/// assert!((loads.modes()[2].ytc.own() + 1.6 * gap.log_inverse()).abs() < 1e-13);
+/// # Ok::<(), scene::SceneError>(())
+/// ```
+#[inline]
+#[must_use]
+pub fn swirl(gap: Gap, set: LoadSet) -> SwirlLoads {
+    let log = gap.log_inverse();
+    let mode = SwirlModeLoads {
+        xtc: SelfOther::default(),
+        yfc: SelfOther {
+            sum: 0.0,
+            difference: 2.0 * log,
+        },
+        ytc: SelfOther {
+            sum: -2.0 * log,
+            difference: -1.2 * log,
+        },
+    };
+    SwirlLoads::from_modes(set, |_| mode)
 }

@@ -2,14 +2,17 @@
 
 use crate::{MAX_MODES, SceneError};
 
-/// A squirmer's slip modes and bottom-heaviness.
+/// A squirmer's slip modes, squirming and swirl, and bottom-heaviness.
 ///
 /// Slip velocity at the surface point with unit normal `n`, for orientation `p`, `c = p.n`:
-/// `u_s = sum_n B_n W_n(c) (c n - p)` (Blake 1971). A lone squirmer swims at `V_s = 2 B_1/3`.
+/// `u_s = sum_n B_n W_n(c) (c n - p) + C_n W_n(c) p x n` (Blake 1971; Pak & Lauga 2014). A lone
+/// squirmer swims at `V_s = 2 B_1/3` along `p` and spins at `-C_1` about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Squirmer {
     modes: [f64; MAX_MODES],
     count: usize,
+    swirl: [f64; MAX_MODES],
+    swirl_count: usize,
     bottom_heaviness: f64,
 }
 
@@ -21,20 +24,12 @@ impl Squirmer {
     /// # Errors
     /// [`SceneError::TooManyModes`], or [`SceneError::NotFinite`] for a mode that is not finite.
     pub fn new(modes: &[f64]) -> Result<Self, SceneError> {
-        let count = modes.iter().rposition(|&b| b != 0.0).map_or(0, |n| n + 1);
-        if count > MAX_MODES {
-            return Err(SceneError::TooManyModes {
-                modes: count,
-                allowed: MAX_MODES,
-            });
-        }
-        let mut padded = [0.0; MAX_MODES];
-        for (slot, &b) in padded.iter_mut().zip(modes) {
-            *slot = finite("squirming mode", b)?;
-        }
+        let (modes, count) = padded("squirming mode", modes)?;
         Ok(Self {
-            modes: padded,
+            modes,
             count,
+            swirl: [0.0; MAX_MODES],
+            swirl_count: 0,
             bottom_heaviness: 0.0,
         })
     }
@@ -55,6 +50,25 @@ impl Squirmer {
         Self::new(&[1.5 * swimming_speed, 1.5 * swimming_speed * beta])
     }
 
+    /// The same squirmer with swirl modes `C_1, C_2, …` (velocities), at most [`MAX_MODES`] of them.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    ///
+    /// ```
+    /// let corkscrew = scene::Squirmer::with_beta(1.0, 1.0)?.with_swirl(&[0.0, 2.0, 0.0])?;
+    /// assert_eq!(corkscrew.swirl(), [0.0, 2.0]);
+    /// # Ok::<(), scene::SceneError>(())
+    /// ```
+    pub fn with_swirl(self, modes: &[f64]) -> Result<Self, SceneError> {
+        let (swirl, swirl_count) = padded("swirl mode", modes)?;
+        Ok(Self {
+            swirl,
+            swirl_count,
+            ..self
+        })
+    }
+
     /// The same squirmer with bottom-heaviness `G_bh = 4 pi rho g a h/(3 mu V_s)`.
     ///
     /// # Errors
@@ -71,6 +85,13 @@ impl Squirmer {
     #[must_use]
     pub fn modes(&self) -> &[f64] {
         &self.modes[..self.count]
+    }
+
+    /// Swirl modes `C_1, C_2, …` up to the highest that is not zero.
+    #[inline]
+    #[must_use]
+    pub fn swirl(&self) -> &[f64] {
+        &self.swirl[..self.swirl_count]
     }
 
     /// Speed of the lone squirmer, `V_s = 2 B_1/3`, in its direction `p`.
@@ -93,6 +114,22 @@ impl Squirmer {
     pub fn gravity_torque(&self) -> f64 {
         self.swimming_speed() * self.bottom_heaviness / std::f64::consts::PI
     }
+}
+
+/// Modes with zeros up to [`MAX_MODES`], and how many there are up to the last that is not zero.
+fn padded(what: &'static str, modes: &[f64]) -> Result<([f64; MAX_MODES], usize), SceneError> {
+    let count = modes.iter().rposition(|&b| b != 0.0).map_or(0, |n| n + 1);
+    if count > MAX_MODES {
+        return Err(SceneError::TooManyModes {
+            modes: count,
+            allowed: MAX_MODES,
+        });
+    }
+    let mut padded = [0.0; MAX_MODES];
+    for (slot, &mode) in padded.iter_mut().zip(modes) {
+        *slot = finite(what, mode)?;
+    }
+    Ok((padded, count))
 }
 
 /// `value`, if it is finite.

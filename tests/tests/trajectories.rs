@@ -32,6 +32,7 @@ fn set_up(method: Method, mesh: usize, direct: bool) -> Model {
         mesh,
         direct,
         cache: None,
+        ..ModelOptions::default()
     };
     Model::set_up(method, &options).unwrap()
 }

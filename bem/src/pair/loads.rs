@@ -18,7 +18,7 @@ use std::time::Instant;
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
-use scene::{LoadSet, PairLoads, SelfOther};
+use scene::{LoadSet, PairLoads, SelfOther, SwirlLoads};
 
 use super::assembly::{Class, assemble};
 use super::parity::{Motion, Parity, Swap};
@@ -41,6 +41,8 @@ pub struct Seconds {
 pub struct PairSolution {
     /// The loads.
     pub loads: PairLoads,
+    /// Those by swirl.
+    pub swirl: SwirlLoads,
     /// Nodes on each sphere: vertices and middles of edges.
     pub nodes: usize,
     /// Dense systems factorised.
@@ -89,10 +91,12 @@ pub fn solve<const H: usize>(
     let solved = classes
         .par_iter()
         .zip(matrices)
-        .map(|(class, matrix)| class.responses(&matrix, &surface, family, set.modes))
+        .map(|(class, matrix)| class.responses(&matrix, &surface, family, set))
         .collect::<Result<Vec<_>, _>>()?;
+    let (loads, swirl) = collect(&parities, &solved, set);
     Ok(PairSolution {
-        loads: collect(&parities, &solved, set),
+        loads,
+        swirl,
         nodes: family.node_count(),
         solves: classes.len(),
         seconds: Seconds {
@@ -110,8 +114,10 @@ struct Response {
     force: f64,
     /// Torque on sphere 1 likewise.
     torque: f64,
-    /// By the reciprocal theorem, the load that each mode's slip exerts along the rigid motion.
+    /// By the reciprocal theorem, the load that each squirming mode exerts along the rigid motion.
     slip: Vec<f64>,
+    /// The same for each swirl mode.
+    swirl: Vec<f64>,
 }
 
 impl Class {
@@ -121,7 +127,7 @@ impl Class {
         matrix: &[f64],
         surface: &Surface<H>,
         family: &MeshFamily<H>,
-        modes: usize,
+        set: LoadSet,
     ) -> Result<Vec<Response>, BemError> {
         let orbits = family.orbits();
         let points: Vec<(Vector3<f64>, usize)> = self
@@ -134,7 +140,7 @@ impl Class {
             .map(|u| points.iter().map(|(normal, c)| u(normal)[*c]).collect())
             .collect();
         let densities = solve_all(matrix, &right)?;
-        let slips = slips(self.parity.motion, modes, surface);
+        let slips = slips(self.parity.motion, set, surface);
         Ok(densities
             .iter()
             .map(|density| self.response(density, &slips, surface, family))
@@ -144,14 +150,15 @@ impl Class {
     fn response<const H: usize>(
         &self,
         density: &[f64],
-        slips: &[Vec<Vector3<f64>>],
+        [squirming, swirling]: &[Vec<Slip>; 2],
         surface: &Surface<H>,
         family: &MeshFamily<H>,
     ) -> Response {
         let orbits = family.orbits();
         let mut force = Vector3::zeros();
         let mut torque = Vector3::zeros();
-        let mut slip = vec![0.0; slips.len()];
+        let mut slip = vec![0.0; squirming.len()];
+        let mut swirl = vec![0.0; swirling.len()];
         for (&(j, c), &value) in self.unknowns.iter().zip(density) {
             let vertex = orbits.representatives[j];
             let mut f = Vector3::zeros();
@@ -159,7 +166,10 @@ impl Class {
             let (df, dt) = surface.force_and_torque(vertex, &f);
             force += df;
             torque += dt;
-            for (sum, weights) in slip.iter_mut().zip(slips) {
+            for (sum, weights) in slip.iter_mut().zip(squirming) {
+                *sum += weights[vertex].dot(&f);
+            }
+            for (sum, weights) in swirl.iter_mut().zip(swirling) {
                 *sum += weights[vertex].dot(&f);
             }
         }
@@ -173,6 +183,7 @@ impl Class {
             force,
             torque,
             slip,
+            swirl,
         }
     }
 }
@@ -188,24 +199,29 @@ fn rigid_motions(motion: Motion) -> &'static [Velocity] {
     }
 }
 
-/// Slip of each mode, integrated with the hat functions.
-fn slips<const H: usize>(
-    motion: Motion,
-    modes: usize,
-    surface: &Surface<H>,
-) -> Vec<Vec<Vector3<f64>>> {
-    let (d, t) = (Vector3::z(), Vector3::x());
-    (1..=modes)
-        .filter_map(|n| match motion {
-            Motion::Axial => Some(surface.tangential_part(|y| slip::axisymmetric(n, &d, y))),
-            Motion::Transverse => Some(surface.tangential_part(|y| slip::transverse(n, &d, &t, y))),
-            Motion::Twist => None,
-        })
-        .collect()
+/// A slip velocity integrated with the hat functions, node by node.
+type Slip = Vec<Vector3<f64>>;
+
+/// Slip of each squirming mode, and of each swirl mode with `d x p_t = x`, that has the symmetry of a motion.
+fn slips<const H: usize>(motion: Motion, set: LoadSet, surface: &Surface<H>) -> [Vec<Slip>; 2] {
+    let (d, t, turned) = (Vector3::z(), Vector3::x(), -Vector3::y());
+    let squirming = (1..=set.modes).filter_map(|n| match motion {
+        Motion::Axial => Some(surface.tangential_part(|y| slip::axisymmetric(n, &d, y))),
+        Motion::Transverse => Some(surface.tangential_part(|y| slip::transverse(n, &d, &t, y))),
+        Motion::Twist => None,
+    });
+    let swirling = (1..=set.swirl).filter_map(|n| match motion {
+        Motion::Axial => None,
+        Motion::Transverse => {
+            Some(surface.tangential_part(|y| slip::transverse_swirl(n, &d, &turned, y)))
+        }
+        Motion::Twist => Some(surface.tangential_part(|y| slip::axisymmetric_swirl(n, &d, y))),
+    });
+    [squirming.collect(), swirling.collect()]
 }
 
 /// The scalars of self and other from the two swaps, `solved` in the order of `parities`.
-fn collect(parities: &[Parity], solved: &[Vec<Response>], set: LoadSet) -> PairLoads {
+fn collect(parities: &[Parity], solved: &[Vec<Response>], set: LoadSet) -> (PairLoads, SwirlLoads) {
     // What is not in the set was not solved.
     let of = |motion: Motion, swap: Swap, column: usize, part: &dyn Fn(&Response) -> f64| {
         let parity = Parity { motion, swap };
@@ -241,5 +257,13 @@ fn collect(parities: &[Parity], solved: &[Vec<Response>], set: LoadSet) -> PairL
         mode.yf = scalar(Transverse, Mirrored, 0, PI, slip);
         mode.yt = scalar(Transverse, Opposite, 1, PI, slip);
     }
-    loads
+    let mut by_swirl = SwirlLoads::zero(set);
+    for (k, mode) in by_swirl.modes_mut().iter_mut().enumerate() {
+        let swirl = &|r: &Response| r.swirl[k];
+        mode.xtc = scalar(Twist, Mirrored, 0, PI, swirl);
+        mode.yfc = scalar(Transverse, Mirrored, 0, PI, swirl);
+        // Along p_t, which is -y.
+        mode.ytc = scalar(Transverse, Opposite, 1, -PI, swirl);
+    }
+    (loads, by_swirl)
 }

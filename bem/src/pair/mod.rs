@@ -6,8 +6,8 @@
 //! | | x | y | loads |
 //! |---|---|---|---|
 //! | [`Motion::Axial`] | + | + | XA, XF |
-//! | [`Motion::Transverse`] | - | + | YA, YB, YC, YF, YT |
-//! | [`Motion::Twist`] | - | - | XC |
+//! | [`Motion::Transverse`] | - | + | YA, YB, YC, YF, YT, YFC, YTC |
+//! | [`Motion::Twist`] | - | - | XC, XTC |
 //!
 //! Only vertices of sphere 1 with `x >= 0`, `y >= 0` are unknowns, so each system has about an eighth
 //! of the full one's unknowns, and takes 1/512 of its factorisation. Kinds of motion that a set of

@@ -23,8 +23,8 @@ impl Motion {
     pub(crate) fn is_in(self, set: LoadSet) -> bool {
         match self {
             Self::Axial => true,
-            Self::Transverse => set.transverse,
-            Self::Twist => set.twist,
+            Self::Transverse => set.transverse || set.swirl > 0,
+            Self::Twist => set.twist || set.swirl > 0,
         }
     }
 }

@@ -37,12 +37,21 @@ pub(crate) struct Arguments {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Loads of the pair at given gaps: resistance scalars and loads of squirming modes 1 and 2
-    #[command(after_help = "Example:\n  squirmers loads --gap 1,0.1,0.01 --method lt,bem --direct")]
+    /// Loads of the pair at given gaps: resistance scalars and loads of squirming and swirl modes
+    #[command(
+        after_help = "Example:\n  squirmers loads --gap 1,0.1,0.01 --method lt,bem --direct\n  \
+                            squirmers loads --gap 0.1 --modes 3 --swirl 2 --method exact --direct"
+    )]
     Loads {
         /// Gaps eps = |x2-x1|/a - 2, each greater than 0
         #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
         gap: Numbers,
+        /// Squirming modes, 1 to this
+        #[arg(long, value_name = "N", default_value_t = 2)]
+        modes: usize,
+        /// Swirl modes, 1 to this
+        #[arg(long, value_name = "N", default_value_t = 0)]
+        swirl: usize,
         #[command(flatten)]
         models: ModelArguments,
     },

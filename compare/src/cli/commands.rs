@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use comfy_table::{CellAlignment, Table, presets};
-use scene::{Gap, Hydrodynamics, LoadSet, RunOptions};
+use scene::{Gap, Hydrodynamics, LoadSet, MAX_MODES, RunOptions};
 use serde::Serialize;
 
 use super::args::{Arguments, Command, EncounterArguments, ModelArguments, RunArguments};
@@ -14,15 +14,21 @@ use crate::sweep::SweepOptions;
 use crate::{Approach, Case, CompareError, Defaults, Encounter, Method, Model, ModelOptions};
 use crate::{full_report, pictures, sweep};
 
-/// Loads that `loads` prints.
-const LOADS: LoadSet = LoadSet::all(2);
-
 /// Time between samples of recorded trajectories, in `a/V_s`.
 const SAMPLE_INTERVAL: f64 = 0.05;
 
 pub(super) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), CompareError> {
     match &arguments.command {
-        Command::Loads { gap, models } => loads(gap, models, arguments),
+        Command::Loads {
+            gap,
+            modes,
+            swirl,
+            models,
+        } => {
+            let set = LoadSet::all(highest("--modes", *modes)?);
+            let set = set.with_swirl(highest("--swirl", *swirl)?);
+            loads(gap, set, models, arguments)
+        }
         Command::HeadOn(encounters) => encounter(Approach::HeadOn, encounters, arguments),
         Command::Orthogonal(encounters) => encounter(Approach::Orthogonal, encounters, arguments),
         Command::Offset { dz, models, runs } => offset(dz.as_ref(), models, runs, arguments),
@@ -114,12 +120,25 @@ struct LoadRow {
     error_estimate: f64,
 }
 
+/// A highest slip mode, if loads can hold so many.
+fn highest(what: &'static str, modes: usize) -> Result<usize, CompareError> {
+    if modes > MAX_MODES {
+        let allowed = format!("modes go from 0 (none) to {MAX_MODES}");
+        return Err(CompareError::input(what, modes, allowed));
+    }
+    Ok(modes)
+}
+
 fn loads(
     gaps: &Numbers,
+    set: LoadSet,
     arguments: &ModelArguments,
     general: &Arguments,
 ) -> Result<(), CompareError> {
-    let (methods, options) = model_options(arguments, &Method::DEFAULT, general)?;
+    let (methods, mut options) = model_options(arguments, &Method::DEFAULT, general)?;
+    if !options.tabulated.holds(set) {
+        options.tabulated = set;
+    }
     let gaps: Vec<_> = (gaps.0.iter())
         .map(|&eps| {
             Gap::new(eps).map_err(|_| {
@@ -134,9 +153,10 @@ fn loads(
         check_range(method, &options, &gaps)?;
         let model = Model::set_up(method, &options)?;
         for &gap in &gaps {
-            let loads = model.loads(gap, LOADS)?;
-            let error_estimate = model.error_estimate(gap, LOADS)?;
-            rows.extend(loads.named().into_iter().map(|(name, value)| LoadRow {
+            let (loads, swirl) = model.loads_with_swirl(gap, set)?;
+            let error_estimate = model.error_estimate(gap, set)?;
+            let named = loads.named().into_iter().chain(swirl.named());
+            rows.extend(named.map(|(name, value)| LoadRow {
                 method: method.name(),
                 gap: gap.eps(),
                 name,

@@ -6,9 +6,11 @@
 use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
 
+use super::equations::{self, Effect, Instant};
 use super::steady::Relative;
-use crate::balance::{Heading, PairVelocity, Transverse};
-use crate::{Gap, Gravity, PairLoads, Squirmer};
+use super::swirling::{self, Swirl};
+use crate::balance::{Heading, PairVelocity, Transverse, axial_spins};
+use crate::{Gap, Gravity, Hydrodynamics, PairLoads, SceneError, SelfOther, Squirmer};
 
 /// A state in the laboratory frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +65,19 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
         gravity: Gravity,
         squirmers: &[Squirmer; 2],
     ) -> [Self::Across; 2];
-    /// Time derivative of the state.
+    /// Time derivative of the state at an instant, by the loads of its model.
+    ///
+    /// # Errors
+    /// Those of the model.
+    #[inline]
+    fn motion<H, G>(&self, y: &[f64; N], at: &Instant<'_, H, G>) -> Result<[f64; N], SceneError>
+    where
+        H: Hydrodynamics + ?Sized,
+        G: Effect<Gravity>,
+    {
+        equations::derivative(self, y, at)
+    }
+    /// Time derivative of the state for a velocity of the pair.
     fn derivative(&self, y: &[f64; N], velocity: &PairVelocity<Self::Across>) -> [f64; N];
     /// The state after the further time `t` when only position and line of centres change, at the
     /// constant rates that `dy` has in the frame of the pair; none without [`Self::RELATIVE`].
@@ -201,13 +215,22 @@ impl Coordinates<6> for Planar {
 /// The vectors' lengths are preserved by the equations and only their directions enter, so a
 /// drift of the length by rounding has no effect.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Spatial;
+pub(crate) struct Spatial<W> {
+    /// Swirl, if it acts.
+    pub swirl: W,
+}
 
 const SPATIAL_LN_GAP: usize = 6;
 
 #[inline]
 fn vector(y: &[f64; 13], at: usize) -> Vector3<f64> {
     Vector3::new(y[at], y[at + 1], y[at + 2])
+}
+
+/// Unit vector along the line of centres.
+#[inline]
+pub(super) fn along_line(y: &[f64; 13]) -> Vector3<f64> {
+    vector(y, LINE).normalize()
 }
 
 #[inline]
@@ -219,7 +242,7 @@ const MIDPOINT: usize = 0;
 const LINE: usize = 3;
 const ORIENTATION: [usize; 2] = [7, 10];
 
-impl Coordinates<13> for Spatial {
+impl<W: Effect<Swirl>> Coordinates<13> for Spatial<W> {
     type Across = Vector3<f64>;
     const LN_GAP: usize = SPATIAL_LN_GAP;
     const RELATIVE: Option<Relative> = None;
@@ -281,6 +304,18 @@ impl Coordinates<13> for Spatial {
     }
 
     #[inline]
+    fn motion<H, G>(&self, y: &[f64; 13], at: &Instant<'_, H, G>) -> Result<[f64; 13], SceneError>
+    where
+        H: Hydrodynamics + ?Sized,
+        G: Effect<Gravity>,
+    {
+        match self.swirl.get() {
+            Some(Swirl) => swirling::derivative(self, y, at),
+            None => equations::derivative(self, y, at),
+        }
+    }
+
+    #[inline]
     fn derivative(&self, y: &[f64; 13], v: &PairVelocity<Vector3<f64>>) -> [f64; 13] {
         let line = vector(y, LINE);
         let length = line.norm();
@@ -310,13 +345,17 @@ impl Coordinates<13> for Spatial {
     ) {
         let d = vector(y, LINE).normalize();
         let [t1, t2] = spatial_torques(y, gravity, squirmers).map(|torque| torque.dot(&d));
-        let sum = (t1 + t2) / (8.0 * loads.xc.sum);
-        let difference = (t1 - t2) / (8.0 * loads.xc.difference);
-        let spins = [0.5 * (sum + difference), 0.5 * (sum - difference)];
-        for (at, spin) in ORIENTATION.into_iter().zip(spins) {
-            let turned = vector(dy, at) + d.cross(&vector(y, at)) * spin;
-            store(dy, at, turned);
-        }
+        let torque = SelfOther::new(t1, t2);
+        spin_about(&d, y, dy, axial_spins(loads, torque));
+    }
+}
+
+/// Adds spins about the line of centres to a derivative.
+#[inline]
+pub(super) fn spin_about(d: &Vector3<f64>, y: &[f64; 13], dy: &mut [f64; 13], spins: [f64; 2]) {
+    for (at, spin) in ORIENTATION.into_iter().zip(spins) {
+        let turned = vector(dy, at) + d.cross(&vector(y, at)) * spin;
+        store(dy, at, turned);
     }
 }
 

@@ -58,31 +58,78 @@ where
     fn rhs(&mut self, _t: f64, y: &[f64; N]) -> [f64; N] {
         let gap = Gap::from_ln(y[C::LN_GAP]);
         self.loads += 1;
-        // Matched by reference: the loads are too large to be moved about.
-        let loads = self.model.interacting_loads(gap, self.set);
-        let loads = match &loads {
-            Ok(loads) => loads,
+        let instant = Instant {
+            model: self.model,
+            set: self.set,
+            squirmers: &self.squirmers,
+            gap,
+            repulsion: self.repulsion.get().map_or(0.0, |r| r.force(gap)),
+            gravity: self.gravity,
+        };
+        match self.coordinates.motion(y, &instant) {
+            Ok(dy) => dy,
             Err(error) => {
                 // A trial step went too far; the stepper retries with a shorter one.
-                self.failure = Some(error.clone());
-                return [f64::NAN; N];
+                self.failure = Some(error);
+                [f64::NAN; N]
             }
-        };
-        let headings = self.coordinates.headings(y);
-        let repulsion = self.repulsion.get().map_or(0.0, |r| r.force(gap));
-        let torque = match self.gravity.get() {
-            Some(gravity) => self
-                .coordinates
-                .gravity_torques(y, gravity, &self.squirmers),
-            None => [C::Across::ZERO; 2],
-        };
-        let external = External { repulsion, torque };
-        let velocity = pair_velocity(gap, loads, &self.squirmers, &headings, &external);
-        let mut dy = self.coordinates.derivative(y, &velocity);
-        if let Some(gravity) = self.gravity.get() {
-            self.coordinates
-                .add_axial_spin(y, &mut dy, loads, gravity, &self.squirmers);
         }
-        dy
     }
+}
+
+/// What a right-hand side reads besides the state.
+pub(crate) struct Instant<'a, H: ?Sized, G> {
+    pub model: &'a H,
+    pub set: LoadSet,
+    pub squirmers: &'a [Squirmer; 2],
+    pub gap: Gap,
+    /// Force that drives the two apart, per `pi mu a`.
+    pub repulsion: f64,
+    pub gravity: G,
+}
+
+impl<H: ?Sized, G: Effect<Gravity>> Instant<'_, H, G> {
+    /// Loads of other than hydrodynamic origin.
+    #[inline]
+    pub fn external<C: Coordinates<N>, const N: usize>(
+        &self,
+        coordinates: &C,
+        y: &[f64; N],
+    ) -> External<C::Across> {
+        External {
+            repulsion: self.repulsion,
+            torque: match self.gravity.get() {
+                Some(gravity) => coordinates.gravity_torques(y, gravity, self.squirmers),
+                None => [C::Across::ZERO; 2],
+            },
+        }
+    }
+}
+
+/// Time derivative of the state `y` without swirl.
+#[inline]
+pub(super) fn derivative<H, C, G, const N: usize>(
+    coordinates: &C,
+    y: &[f64; N],
+    at: &Instant<'_, H, G>,
+) -> Result<[f64; N], SceneError>
+where
+    H: Hydrodynamics + ?Sized,
+    C: Coordinates<N>,
+    G: Effect<Gravity>,
+{
+    // Matched by reference: the loads are too large to be moved about.
+    let loads = at.model.interacting_loads(at.gap, at.set);
+    let loads = match &loads {
+        Ok(loads) => loads,
+        Err(error) => return Err(error.clone()),
+    };
+    let headings = coordinates.headings(y);
+    let external = at.external(coordinates, y);
+    let velocity = pair_velocity(at.gap, loads, at.squirmers, &headings, &external);
+    let mut dy = coordinates.derivative(y, &velocity);
+    if let Some(gravity) = at.gravity.get() {
+        coordinates.add_axial_spin(y, &mut dy, loads, gravity, at.squirmers);
+    }
+    Ok(dy)
 }

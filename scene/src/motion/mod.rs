@@ -7,6 +7,7 @@ mod free_flight;
 mod outcome;
 mod run;
 mod steady;
+mod swirling;
 
 pub use bound::{BoundState, bound_states};
 pub use coordinates::Configuration;

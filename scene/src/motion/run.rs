@@ -11,6 +11,7 @@ use super::free_flight::PairFlight;
 use super::outcome::{GapHistory, Outcome, judge_bound, judge_steady};
 use super::outcome::{judge_under_gravity, points_upward};
 use super::steady::{Attempts, steady_state};
+use super::swirling::Swirl;
 use crate::ode::{Dense, Direction, OdeError, Step, Stepper, first_crossing, first_minimum};
 use crate::{Gap, Gravity, Hydrodynamics, Repulsion, Scene, SceneError};
 
@@ -120,8 +121,11 @@ pub fn run<H: Hydrodynamics + ?Sized>(
             z: scene.start[0].position.z,
         };
         with_repulsion(scene, model, options, plane)
+    } else if scene.acting_swirl() == 0 {
+        with_repulsion(scene, model, options, Spatial { swirl: Absent })
     } else {
-        with_repulsion(scene, model, options, Spatial)
+        let swirl = Present(Swirl);
+        with_repulsion(scene, model, options, Spatial { swirl })
     }
 }
 

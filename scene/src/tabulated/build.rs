@@ -171,10 +171,14 @@ impl<M: Hydrodynamics> Builder<'_, M> {
                     Coordinate::InverseDistance => inside(high, low, high),
                 };
                 let gap = coordinate.gap(worst)?;
+                let of_pair = self.options.set.column_count();
+                let (pair, swirl): (Vec<_>, Vec<_>) =
+                    rows.iter().map(|row| row.split_at(of_pair)).unzip();
                 let piece = Piece {
                     low,
                     high,
-                    coefficients: rows.concat(),
+                    coefficients: pair.concat(),
+                    swirl: swirl.concat(),
                     error: self.model.error_estimate(gap, self.options.set)?,
                 };
                 return Ok(vec![(piece, error)]);
@@ -221,10 +225,16 @@ impl<M: Hydrodynamics> Builder<'_, M> {
     fn smooth_part(&self, coordinate: Coordinate, x: f64) -> Result<Vec<f64>, SceneError> {
         let gap = coordinate.gap(x)?;
         let set = self.options.set;
-        let mut columns: Vec<_> = self.model.loads(gap, set)?.columns().collect();
+        let mut columns: Vec<f64> = if set.swirl == 0 {
+            self.model.loads(gap, set)?.columns().collect()
+        } else {
+            let (pair, swirl) = self.model.loads_with_swirl(gap, set)?;
+            pair.columns().chain(swirl.columns()).collect()
+        };
         if let Coordinate::LogGap = coordinate {
-            let singular = singular::loads(gap, set, singular::AXIAL_SQUIRMING);
-            for (column, s) in columns.iter_mut().zip(singular.columns()) {
+            let pair = singular::loads(gap, set, singular::AXIAL_SQUIRMING);
+            let swirl = singular::swirl(gap, set);
+            for (column, s) in (columns.iter_mut()).zip(pair.columns().chain(swirl.columns())) {
                 *column -= s;
             }
         }

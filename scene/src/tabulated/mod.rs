@@ -17,7 +17,8 @@ use serde::{Deserialize, Serialize};
 use self::chebyshev::add_interpolant;
 use crate::loads::{MAX_MODES, PairLoads};
 use crate::singular::Singular;
-use crate::{Gap, GapRange, Hydrodynamics, LoadSet, SceneError, singular};
+use crate::swirl::swirl_column_count;
+use crate::{Gap, GapRange, Hydrodynamics, LoadSet, SceneError, SwirlLoads, singular};
 
 /// Gap at which the table changes from `ln eps` to `1/r`, in radii.
 pub const FAR_GAP: f64 = 2.0;
@@ -49,6 +50,8 @@ struct Piece {
     high: f64,
     /// Row `j` holds the coefficients of `T_j`, one a column of [`PairLoads::columns`].
     coefficients: Vec<f64>,
+    /// The same for the columns of [`SwirlLoads::columns`].
+    swirl: Vec<f64>,
     /// The model's error estimate in this piece.
     error: f64,
 }
@@ -135,6 +138,22 @@ impl Table {
         Ok(PairLoads::from_columns(set, layout, &columns))
     }
 
+    /// The loads by swirl, from the first `N` columns.
+    #[inline]
+    fn swirl<const N: usize>(&self, gap: Gap, set: LoadSet) -> Result<SwirlLoads, SceneError> {
+        let (piece, x) = self.piece(gap)?;
+        let mut columns = [0.0; N];
+        if gap.eps() <= FAR_GAP {
+            let singular = singular::swirl(gap, set);
+            for (column, s) in columns.iter_mut().zip(singular.columns()) {
+                *column = s;
+            }
+        }
+        let width = swirl_column_count(self.set.swirl);
+        let columns = add_interpolant(&piece.swirl, width, piece.relative(x), columns);
+        Ok(SwirlLoads::from_columns(set, &columns))
+    }
+
     /// The same, with the numbers of columns of 0, 1, 2 and all modes.
     #[inline]
     fn by_modes<const ZERO: usize, const ONE: usize, const TWO: usize, const ALL: usize>(
@@ -154,14 +173,15 @@ impl Table {
 }
 
 /// [`Table::by_modes`] for one layout, known to the compiler.
+#[rustfmt::skip]
 macro_rules! with_layout {
     ($table:expr, $gap:expr, $set:expr, $of:path) => {
         $table.by_modes::<
-                                                            { $of(0).column_count() },
-                                                            { $of(1).column_count() },
-                                                            { $of(2).column_count() },
-                                                            { $of(MAX_MODES).column_count() },
-                                                        >($gap, $set, $of(MAX_MODES))
+            { $of(0).column_count() },
+            { $of(1).column_count() },
+            { $of(2).column_count() },
+            { $of(MAX_MODES).column_count() },
+        >($gap, $set, $of(MAX_MODES))
     };
 }
 
@@ -188,6 +208,24 @@ impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
             (false, true) => with_layout!(table, gap, set, LoadSet::axial_and_twist),
             (false, false) => with_layout!(table, gap, set, LoadSet::axial),
         }
+    }
+
+    fn loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        let table = &self.table;
+        let loads = self.loads(gap, set)?;
+        if table.is_above(gap) {
+            return self.model.loads_with_swirl(gap, set);
+        }
+        let swirl = match set.swirl {
+            0 => SwirlLoads::zero(set),
+            1 | 2 => table.swirl::<{ swirl_column_count(2) }>(gap, set)?,
+            _ => table.swirl::<{ swirl_column_count(MAX_MODES) }>(gap, set)?,
+        };
+        Ok((loads, swirl))
     }
 
     fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {

@@ -36,6 +36,23 @@ impl Hydrodynamics for Made {
         Ok(loads)
     }
 
+    fn loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        let mut swirl = singular::swirl(gap, set);
+        let fade = (2.0 / gap.distance()).powi(3);
+        for (n, mode) in (1u8..).zip(swirl.modes_mut()) {
+            let smooth = SelfOther::new(f64::from(n), gap.eps() * gap.ln());
+            for load in [&mut mode.xtc, &mut mode.yfc, &mut mode.ytc] {
+                load.sum = fade * (load.sum + smooth.sum);
+                load.difference = fade * (load.difference + smooth.difference);
+            }
+        }
+        Ok((self.loads(gap, set)?, swirl))
+    }
+
     fn error_estimate(&self, gap: Gap, _: LoadSet) -> Result<f64, SceneError> {
         Ok(1e-6 / gap.eps())
     }
@@ -79,6 +96,51 @@ fn a_table_agrees_with_its_model_between_its_nodes() {
             }
         }
     }
+}
+
+#[test]
+fn a_table_with_swirl_agrees_with_its_model_and_leaves_the_other_loads_as_they_are() {
+    let model = Made {
+        seam: None,
+        noise: 1e-14,
+    };
+    let tabulated = |swirl| {
+        let options = TableOptions {
+            set: LoadSet::all(2).with_swirl(swirl),
+            tolerance: 1e-9,
+            smallest_gap: 1e-3,
+        };
+        Tabulated::build(model.clone(), options, &|_| ()).unwrap()
+    };
+    let (plain, two, four) = (tabulated(0), tabulated(2), tabulated(4));
+    for i in 0..100 {
+        let gap = Gap::from_ln(-6.9 + 0.19 * f64::from(i));
+        let set = LoadSet::all(2).with_swirl(2);
+        let (pair, swirl) = two.loads_with_swirl(gap, set).unwrap();
+        let (_, expected) = model.loads_with_swirl(gap, set).unwrap();
+        for (f, e) in swirl.columns().zip(expected.columns()) {
+            assert!((e - f).abs() <= 3e-9 * e.abs().max(1.0), "{gap:?}");
+        }
+        let (_, more) = four
+            .loads_with_swirl(gap, LoadSet::all(2).with_swirl(4))
+            .unwrap();
+        assert_eq!(
+            more.modes()[..2],
+            four.loads_with_swirl(gap, set).unwrap().1.modes()[..]
+        );
+        let alone = plain.loads(gap, LoadSet::all(2)).unwrap();
+        for (with, without) in pair.columns().zip(alone.columns()) {
+            assert!(
+                (with - without).abs() <= 3e-9 * without.abs().max(1.0),
+                "{gap:?}"
+            );
+        }
+    }
+    assert!(
+        plain
+            .loads_with_swirl(Gap::from_ln(0.0), LoadSet::all(2).with_swirl(1))
+            .is_err()
+    );
 }
 
 #[test]
