@@ -157,11 +157,11 @@ impl Table {
 macro_rules! with_layout {
     ($table:expr, $gap:expr, $set:expr, $of:path) => {
         $table.by_modes::<
-                                                    { $of(0).column_count() },
-                                                    { $of(1).column_count() },
-                                                    { $of(2).column_count() },
-                                                    { $of(MAX_MODES).column_count() },
-                                                >($gap, $set, $of(MAX_MODES))
+                                                            { $of(0).column_count() },
+                                                            { $of(1).column_count() },
+                                                            { $of(2).column_count() },
+                                                            { $of(MAX_MODES).column_count() },
+                                                        >($gap, $set, $of(MAX_MODES))
     };
 }
 
