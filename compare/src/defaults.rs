@@ -2,6 +2,7 @@
 
 use serde::Deserialize;
 
+use crate::bottom_heavy::PanelCase;
 use crate::{Approach, Case, CompareError};
 
 /// The lists of one approach.
@@ -56,6 +57,8 @@ pub struct Defaults {
     pub orthogonal: EncounterDefaults,
     /// Fig. 5(b).
     pub offset: OffsetDefaults,
+    /// Fig. 8(a-f).
+    pub bottom_heavy: Vec<PanelCase>,
 }
 
 impl Defaults {

@@ -1,5 +1,6 @@
 //! Compares hydrodynamic models of two squirmers on the paper's encounters.
 
+pub mod bottom_heavy;
 mod case;
 pub mod cli;
 mod comparison;

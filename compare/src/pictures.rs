@@ -1,5 +1,6 @@
 //! The pictures that a command writes, by their file names.
 
+use crate::bottom_heavy::PanelRun;
 use crate::figures::{self, FigureError};
 use crate::maps::{FateRow, Pair, ScatterRow, TrustRow, trust_shares};
 use crate::{Approach, CompareError, Encounter, OffsetRow};
@@ -28,6 +29,11 @@ pub(crate) fn of_encounters(
 /// The offset sensitivity; none where no run has a result.
 pub(crate) fn of_offsets(rows: &[OffsetRow]) -> Result<Option<Picture>, CompareError> {
     picture("offset.svg".to_owned(), figures::offset(rows))
+}
+
+/// Trajectories under gravity; none where no run has a result.
+pub(crate) fn of_bottom_heavy(runs: &[PanelRun]) -> Result<Option<Picture>, CompareError> {
+    picture("bottom-heavy.svg".to_owned(), figures::bottom_heavy(runs))
 }
 
 /// A sweep of which nothing could be run has rows that say so, but no picture.

@@ -103,7 +103,14 @@ fn no_command_prints_help_and_every_command_has_an_example() {
         .output()
         .unwrap();
     assert!(String::from_utf8(output.stdout).unwrap().contains("Usage"));
-    for command in ["loads", "head-on", "orthogonal", "offset", "report"] {
+    for command in [
+        "loads",
+        "head-on",
+        "orthogonal",
+        "offset",
+        "bottom-heavy",
+        "report",
+    ] {
         let output = Command::new(env!("CARGO_BIN_EXE_squirmers"))
             .args([command, "--help"])
             .output()
@@ -196,4 +203,28 @@ fn results_do_not_depend_on_the_number_of_threads() {
         std::fs::read_to_string(folder.path().join("offset.csv")).unwrap()
     };
     assert_eq!(text("1"), text("2"));
+}
+
+#[test]
+fn bottom_heavy_writes_six_panels_of_each_method() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = ["bottom-heavy", "--method", "lt,lt-corrected"];
+    assert!(squirmers(folder.path(), &arguments).status.success());
+    let rows = rows(&folder.path().join("bottom_heavy.csv"));
+    for method in ["lt", "lt-corrected"] {
+        for panel in ["a", "b", "c", "d", "e", "f"] {
+            let of_panel: Vec<_> = (rows.iter())
+                .filter(|row| &row[0] == method && &row[1] == panel)
+                .collect();
+            assert!(of_panel.len() > 100);
+            assert_eq!(
+                of_panel[0].iter().skip(2).take(5).collect::<Vec<_>>(),
+                ["0.0", "-1.5", "0.0", "1.5", "0.0"]
+            );
+        }
+    }
+    let svg = std::fs::read_to_string(folder.path().join("bottom-heavy.svg")).unwrap();
+    assert_eq!(svg.matches("x (radii a)").count(), 12);
+    refused(&["bottom-heavy", "--tol", "1"], "1.0");
+    refused(&["bottom-heavy", "--method", "lt,none"], "'none'");
 }

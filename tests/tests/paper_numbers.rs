@@ -2,9 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
+use compare::bottom_heavy::{PanelRun, panel_runs};
 use compare::maps::{FateRow, Grid, Pair, ScatterRow, fates, scatter_row};
 use compare::sweep::SweepOptions;
-use compare::{Method, Model, ModelOptions, OutputFolder};
+use compare::{Defaults, Method, Model, ModelOptions, OutputFolder};
 use scene::RunOptions;
 
 fn lubrication() -> Model {
@@ -20,18 +21,19 @@ fn options() -> RunOptions {
 
 /// Shares without gravity on a grid of 60 points a side.
 fn shares(beta: f64) -> FateRow {
+    shares_under_gravity(beta, 0.0, 60)
+}
+
+/// Shares on a grid of `points` a side.
+fn shares_under_gravity(beta: f64, g: f64, points: usize) -> FateRow {
     let folder = tempfile::tempdir().unwrap();
     let out = OutputFolder::open(folder.path()).unwrap();
     let sweep = SweepOptions {
         run: options(),
         time_limit: None,
     };
-    let pair = Pair {
-        beta,
-        g: 0.0,
-        dz: 0.0,
-    };
-    let grid = Grid::new(60).unwrap();
+    let pair = Pair { beta, g, dz: 0.0 };
+    let grid = Grid::new(points).unwrap();
     let rows = fates(&[&lubrication()], &[pair], grid, &sweep, &out);
     rows.unwrap().unwrap().remove(0)
 }
@@ -108,4 +110,65 @@ fn val_case_iv_turns_by_0_074_in_5_0() {
         "{row:?}"
     );
     assert!((row.tau - 5.0).abs() < 0.05, "{row:?}");
+}
+
+#[test]
+fn val_drifting_orbits_of_strong_pushers_vanish_at_a_bottom_heaviness_of_2_5() {
+    let orbits = |g: f64| {
+        let row = shares_under_gravity(-5.0, g, 24);
+        // Mirrored starts orbit the other way.
+        assert!((row.anticlockwise - row.clockwise).abs() < 1e-9, "{row:?}");
+        (row.orbits(), row.points as f64)
+    };
+    let (before, points) = orbits(2.0);
+    // Grids of 50 and 100 a side give 0.194; three standard errors of as many random points.
+    let sampling = 3.0 * (0.194 * (1.0 - 0.194) / points).sqrt();
+    assert!((before - 0.194).abs() < sampling, "{before}");
+    assert_eq!(orbits(2.5).0.to_bits(), 0.0_f64.to_bits());
+}
+
+/// The panels of Fig. 8(a-f) by lubrication theory as published.
+fn panels() -> Vec<PanelRun> {
+    let panels = Defaults::paper().unwrap().bottom_heavy;
+    let sweep = SweepOptions {
+        run: RunOptions::default(),
+        time_limit: None,
+    };
+    panel_runs(&[&lubrication()], &panels, &sweep)
+}
+
+#[test]
+fn val_the_downward_pair_goes_4_5_times_as_far_down_as_alone() {
+    let ratio = panels()[5].summary().depth_ratio;
+    assert!((ratio - 4.5).abs() < 0.05, "{ratio}");
+}
+
+#[test]
+fn val_panels_of_bottom_heavy_squirmers_do_what_the_paper_says() {
+    let panels = panels();
+    let outcomes: Vec<_> = panels.iter().map(|run| run.summary().outcome).collect();
+    // (c) is bound and its gap swings, ever less; (f) ends its dive in a U-turn.
+    let expected = [
+        "upward",
+        "upward",
+        "upward",
+        "anticlockwise",
+        "downward",
+        "upward",
+    ];
+    assert_eq!(outcomes, expected);
+    let gaps: Vec<_> = panels[2].trajectory().map(|row| row.gap).collect();
+    let minima = gaps
+        .windows(3)
+        .filter(|g| g[1] < g[0] && g[1] < g[2])
+        .count();
+    assert!(
+        minima >= 8 && gaps.iter().skip(1).all(|gap| *gap < 1.0),
+        "{minima} minima"
+    );
+    let splayed = panels[2].trajectory().last().unwrap();
+    assert!(
+        splayed.angle1_deg > 100.0 && splayed.angle2_deg < 80.0,
+        "{splayed:?}"
+    );
 }

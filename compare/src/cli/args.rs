@@ -85,6 +85,15 @@ pub(crate) enum Command {
     #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
     #[command(mut_arg("time_limit", maps::time_limit))]
     Fates(MapArguments),
+    /// Bottom-heavy squirmers under gravity (Fig. 8a-f): trajectories of the six panels
+    #[command(after_help = "Example:\n  squirmers bottom-heavy --method lt,exact,bem")]
+    BottomHeavy {
+        /// Methods: lt (as published), lt-corrected, exact, bem [default: lt,exact]
+        #[command(flatten)]
+        models: ModelArguments,
+        #[command(flatten)]
+        runs: RunArguments,
+    },
     /// Where over the incoming angles lubrication theory and exact hydrodynamics part
     #[command(after_help = "Example:\n  squirmers trust --beta 5 --grid 100")]
     #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]

@@ -35,6 +35,7 @@ pub(super) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), Compare
         Command::Cost(cost) => super::cost::run(cost, arguments, typed),
         Command::Scatter(map) => maps::scatter(map, arguments),
         Command::Fates(map) => maps::fates(map, arguments),
+        Command::BottomHeavy { models, runs } => super::bottom_heavy::run(models, runs, arguments),
         Command::Trust(map) => maps::trust(map, arguments),
         Command::Report { models, runs } => {
             let (methods, options) = model_options(models, &Method::DEFAULT, arguments)?;

@@ -1,6 +1,7 @@
 //! The command `squirmers`: arguments in, files and a short table out.
 
 mod args;
+pub(crate) mod bottom_heavy;
 pub(crate) mod commands;
 mod cost;
 pub(crate) mod maps;

@@ -138,6 +138,7 @@ pub(super) enum Key {
     MarkedLine(Stroke, Shape),
     Dot,
     Sphere,
+    Arrow(RGBColor),
     Patch(RGBColor),
 }
 
@@ -282,6 +283,34 @@ impl<'a> Canvas<'a> {
         self.draw(&Circle::new(at, fine(radius), colour.stroke_width(4)))
     }
 
+    /// An arrow from a point along a unit vector whose second component is upward.
+    fn arrow(
+        &self,
+        from: (f64, f64),
+        (along, up): (f64, f64),
+        length: f64,
+        colour: RGBColor,
+    ) -> Result<(), FigureError> {
+        let at = |forward: f64, aside: f64| {
+            let x = from.0 + forward * along - aside * up;
+            let y = from.1 - forward * up - aside * along;
+            (x, y)
+        };
+        let stroke = Stroke {
+            colour,
+            width: 1.2,
+            dash: Dash::Solid,
+        };
+        self.line(&[at(0.0, 0.0), at(length - 5.0, 0.0)], stroke)?;
+        let head = [
+            at(length, 0.0),
+            at(length - 7.0, 3.2),
+            at(length - 7.0, -3.2),
+        ];
+        let head = head.map(|(x, y)| (fine(x), fine(y))).to_vec();
+        self.draw(&Polygon::new(head, colour.filled()))
+    }
+
     /// A filled rectangle with its upper left corner at `(x, y)`.
     pub(super) fn rectangle(
         &self,
@@ -351,6 +380,7 @@ impl<'a> Canvas<'a> {
             }
             Key::Dot => self.dot(middle, INK),
             Key::Sphere => self.sphere(middle, 9.0, INK),
+            Key::Arrow(colour) => self.arrow((x + 6.0, y), (1.0, 0.0), 22.0, colour),
             Key::Patch(colour) => {
                 let (corner, size) = ((x + 10.0, y - 7.0), (22.0, 14.0));
                 self.rectangle(corner, size, colour)?;
@@ -506,6 +536,42 @@ impl Panel<'_, '_> {
 
     pub(super) fn dot(&self, at: (f64, f64), colour: RGBColor) -> Result<(), FigureError> {
         self.canvas.dot(self.place(at), colour)
+    }
+
+    /// An arrow of a nominal length from a point along a unit vector.
+    pub(super) fn arrow(
+        &self,
+        from: (f64, f64),
+        along: (f64, f64),
+        length: f64,
+        colour: RGBColor,
+    ) -> Result<(), FigureError> {
+        self.canvas.arrow(self.place(from), along, length, colour)
+    }
+
+    /// An arrow downward with the letter g, in a corner of the plot that the points leave free.
+    pub(super) fn gravity(&self, points: &[(f64, f64)]) -> Result<(), FigureError> {
+        const INSET: (f64, f64) = (30.0, 14.0);
+        const LENGTH: f64 = 30.0;
+        const ROOM: f64 = 34.0;
+        let (left, right) = (
+            self.corner.0 + INSET.0,
+            self.corner.0 + self.size.0 - INSET.0,
+        );
+        let (top, low) = (
+            self.corner.1 + INSET.1,
+            self.corner.1 + self.size.1 - INSET.1 - LENGTH,
+        );
+        let free = |(x, y): &(f64, f64)| {
+            points.iter().all(|at| {
+                let at = self.place(*at);
+                (at.0 - x).hypot(at.1 - (y + LENGTH / 2.0)) > ROOM
+            })
+        };
+        let corners = [(right, top), (left, top), (right, low), (left, low)];
+        let at = corners.into_iter().find(free).unwrap_or((right, top));
+        self.canvas.arrow(at, (0.0, -1.0), LENGTH, INK)?;
+        self.canvas.label("g", (at.0 + 8.0, at.1 + LENGTH / 2.0))
     }
 
     /// A sphere of radius 1 with an arrow along its orientation; the scales of x and y must be equal.

@@ -2,6 +2,7 @@
 //!
 //! A new figure is a function from rows to SVG text beside these, and a section of the page.
 
+mod bottom_heavy;
 mod canvas;
 mod deflection;
 mod fates;
@@ -22,6 +23,7 @@ use thiserror::Error;
 
 use crate::{Approach, Method};
 
+pub use bottom_heavy::{ARROW_INTERVAL, bottom_heavy};
 pub use deflection::deflection;
 pub use fates::fates;
 pub use load_errors::load_errors;

@@ -1,5 +1,6 @@
 //! Every comparison with the paper's cases, written as files and as one page.
 
+mod bottom_heavy;
 mod convergence;
 mod cost;
 mod errors;
@@ -12,6 +13,7 @@ use std::time::Instant;
 use scene::{Gap, Hydrodynamics, LoadSet, TableLimit};
 
 use crate::cli::commands::{cases, failure};
+use crate::cli::maps::METHODS;
 use crate::output::{OutputFolder, csv_text};
 use crate::pictures::{Picture, of_encounters, of_offsets};
 use crate::report::{Figure, MethodCost, Page, Section, Table, render};
@@ -43,6 +45,7 @@ pub(crate) fn write(
     }
     let planar = content.encounters.clone();
     content.add_offsets(&models, sweep, out)?;
+    content.add_bottom_heavy(&models, sweep, out)?;
     if let Some(exact) = models.iter().find(|m| m.method() == Method::Exact) {
         let section = errors::section(&models, exact, planar, sweep, out)?;
         content.sections.push(section);
@@ -136,6 +139,23 @@ impl Content {
             )?],
         });
         self.take(encounters);
+        Ok(())
+    }
+
+    /// Lubrication theory as published beside exact hydrodynamics, as far as they are asked for.
+    fn add_bottom_heavy(
+        &mut self,
+        models: &[Model],
+        sweep: &SweepOptions,
+        out: &OutputFolder,
+    ) -> Result<(), CompareError> {
+        let beside = |model: &&Model| METHODS.contains(&model.method());
+        let models: Vec<_> = models.iter().filter(beside).collect();
+        if !models.is_empty() {
+            let (section, failures) = bottom_heavy::section(&models, sweep, out)?;
+            self.sections.push(section);
+            self.notes.extend(failures);
+        }
         Ok(())
     }
 

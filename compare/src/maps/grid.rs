@@ -4,7 +4,7 @@
 //! angles `phi1 = pi (Sigma - Delta)/2` and `phi2 = pi (Sigma + Delta)/2`. With `Delta` and `Sigma` from 0
 //! to 2 the two do not swim directly apart.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use scene::{Gravity, Orientation, Pose, Repulsion, Scene, SceneError, Squirmer};
 
@@ -78,10 +78,10 @@ impl Pair {
             position: [side * HALF_DISTANCE, 0.0, -side * 0.5 * self.dz].into(),
             orientation: Orientation::Angle(angle),
         };
-        let start = [
-            pose(-1.0, FRAC_PI_2 * (sigma - delta)),
-            pose(1.0, FRAC_PI_2 * (sigma + delta)),
-        ];
+        let second = FRAC_PI_2 * (sigma + delta);
+        // The mirror image of the second, to the last bit where Sigma = 1.
+        let first = PI * (sigma - 1.0) - (second - PI);
+        let start = [pose(-1.0, first), pose(1.0, second)];
         let gravity = (self.g != 0.0).then_some(Gravity::DOWN);
         Scene::new([squirmer; 2], start, Some(Repulsion::PAPER), gravity)
     }

@@ -191,12 +191,20 @@ mod tests {
 
     #[test]
     fn a_state_and_its_images_are_one() {
-        let (angles, turning) = canonical([0.3, -2.0], -0.1);
-        assert_eq!((angles, turning), ([2.0, -0.3], 0.1));
-        for image in [([0.3, -2.0], -0.1), ([-2.0, 0.3], -0.1), ([2.0, -0.3], 0.1)] {
-            assert_eq!(canonical(image.0, image.1), (angles, turning));
+        let expected = ([2.0, -0.3], 0.1);
+        let close = |(angles, turning): ([f64; 2], f64)| {
+            (angles.iter().zip(expected.0)).all(|(a, b)| (a - b).abs() < 1e-15)
+                && (turning - expected.1).abs() < 1e-15
+        };
+        for (angles, turning) in [
+            ([0.3, -2.0], -0.1),
+            ([-2.0, 0.3], -0.1),
+            ([2.0, -0.3], 0.1),
+            ([-0.3, 2.0], 0.1),
+        ] {
+            assert!(close(canonical(angles, turning)), "{angles:?}");
         }
         // At rest there is no sense of turning to tell the images apart by.
-        assert_eq!(canonical([-0.5, 0.5], 0.0).0, [0.5, -0.5]);
+        assert!(canonical([-0.5, 0.5], 0.0).0[0] > 0.0);
     }
 }

@@ -160,9 +160,10 @@ impl Coordinates<6> for Planar {
             let (sin, cos) = angle.sin_cos();
             -squirmer.gravity_torque() * (cos * g.y - sin * g.x)
         };
+        // Half a turn is a sign: added to the angle, it would round off the pair's symmetry.
         [
             torque(y[THETA] + y[4], &squirmers[0]),
-            torque(y[THETA] + PI + y[5], &squirmers[1]),
+            -torque(y[THETA] + y[5], &squirmers[1]),
         ]
     }
 

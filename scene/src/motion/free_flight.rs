@@ -102,6 +102,24 @@ impl Flight {
         })
     }
 
+    /// Bound on how far the path after the time `t` strays from straight flight upward: that of
+    /// `p` from up is `2 sin h`, at most `2 tan h(0) exp(-k t)`, integrated to the end of time.
+    fn strays(&self, t: f64) -> f64 {
+        self.turning.map_or(f64::INFINITY, |turning| {
+            let Turning {
+                sin_half,
+                cos_half,
+                rate,
+                ..
+            } = turning;
+            if rate > 0.0 && cos_half > 0.0 {
+                2.0 * (self.speed / rate).abs() * (sin_half / cos_half) * (-rate * t).exp()
+            } else {
+                f64::INFINITY
+            }
+        })
+    }
+
     /// Largest acceleration on the way.
     fn acceleration(&self) -> f64 {
         self.turning.map_or(0.0, |t| (self.speed * t.rate).abs())
@@ -218,7 +236,11 @@ impl PairFlight {
             if arrived && rate < -creeping {
                 return (t <= 0.0 || !self.grazes(rate)).then_some(t);
             }
-            if !advance.is_finite() {
+            // Righted as good as they will be, they go no deeper than creeping would take them.
+            let [one, two] = &self.flights;
+            let drift = (one.speed - two.speed).abs() * (duration - t);
+            let closing = one.strays(t) + two.strays(t) + drift;
+            if !advance.is_finite() || closing < left + creeping * LONGEST_CREEP {
                 return None;
             }
             let creep = if arrived {

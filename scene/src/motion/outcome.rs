@@ -23,7 +23,8 @@ pub enum Outcome {
     Undecided,
     /// Under gravity: both point upward at the end, parted or side by side.
     Upward,
-    /// Under gravity: bound, the gap opening and closing again and again.
+    /// Under gravity: bound, the gap opening and closing again and again, or the line of centres swinging
+    /// to and fro.
     Oscillating,
     /// Under gravity: bound, the pair swimming downward at the end.
     Downward,
@@ -152,60 +153,174 @@ impl GapHistory {
     }
 }
 
-/// Turning of the line of centres over the last quarter of a run, in radians, from which on a pair
-/// under gravity is said to orbit: a whole turn, for a pair that rights itself turns by less.
-const DRIFTING_ORBIT_ANGLE: f64 = std::f64::consts::TAU;
-
 /// Gap up to which a pair under gravity counts as bound: its members may leave contact (`eps > 1`)
 /// for a moment and be turned back.
 const BOUND_GAP: f64 = 1.5;
+
+/// Angle, in radians, by which the line of centres has to go back before it is said to have reversed.
+const REVERSAL: f64 = ORBIT_ANGLE;
+
+/// Turning of the line of centres since its last reversal, in radians, from which on a pair under gravity
+/// is said to orbit: a whole turn, for a pair that rights itself turns by less.
+const DRIFTING_ORBIT_ANGLE: f64 = std::f64::consts::TAU;
+
+/// Turning of the line of centres over the last quarter of a run, in radians, up to which a pair under
+/// gravity keeps its direction. One that turns further is on its way to something else: a dive may be the
+/// lower end of a slow swing.
+const STILL: f64 = 0.1;
 
 /// Cosine between an orientation and the upward direction from which on a squirmer points upward. Bound
 /// squirmers that swim up are splayed or inclined to each other.
 const UPWARD: f64 = 0.5;
 
-/// Minima of the gap over the last quarter of a run from which on it oscillates.
+/// Minima of the gap over the last quarter of a run, and swings of the line of centres since the pair was
+/// bound, from which on it oscillates.
 const OSCILLATIONS: usize = 2;
 
+/// How the line of centres has turned since a pair under gravity was bound. Orbits take up to a third
+/// of a run for one turn, and pairs that swing to and fro longer than that for one swing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct LineHistory {
+    /// Where the line was when it last reversed, or at first.
+    from: f64,
+    /// How far it has come since.
+    reach: f64,
+    /// Swings that ended in a reversal, and the longest of them, in radians.
+    swings: usize,
+    longest: f64,
+}
+
+impl LineHistory {
+    /// A history that begins at an angle of the line.
+    fn new(angle: f64) -> Self {
+        Self {
+            from: angle,
+            reach: angle,
+            swings: 0,
+            longest: 0.0,
+        }
+    }
+
+    /// Takes in a further configuration; a pair that is not bound has no history.
+    pub(crate) fn follow(history: Option<Self>, now: &Configuration) -> Option<Self> {
+        if now.gap.eps() > BOUND_GAP {
+            return None;
+        }
+        let mut history = history.unwrap_or(Self::new(now.line_angle));
+        history.take(now.line_angle);
+        Some(history)
+    }
+
+    fn take(&mut self, angle: f64) {
+        if (angle - self.reach) * self.turned() >= 0.0 {
+            self.reach = angle;
+        } else if (angle - self.reach).abs() > REVERSAL {
+            let swing = self.turned().abs();
+            if swing > REVERSAL {
+                self.swings += 1;
+                self.longest = self.longest.max(swing);
+            }
+            self.from = self.reach;
+            self.reach = angle;
+        }
+    }
+
+    /// Angle turned through since the last reversal.
+    fn turned(&self) -> f64 {
+        self.reach - self.from
+    }
+
+    /// Whether the line goes round and round, not to and fro.
+    fn orbits(&self) -> bool {
+        self.turned().abs() > self.longest.max(DRIFTING_ORBIT_ANGLE)
+    }
+}
+
 /// Judges a pair under gravity from a configuration `earlier` and the one at the end, `duration` apart,
-/// and what the gap did in between.
+/// what the gap did in between, and how the line of centres has turned since the pair was bound.
 pub(crate) fn judge_under_gravity(
-    earlier: &Configuration,
-    end: &Configuration,
+    (earlier, end): (&Configuration, &Configuration),
     duration: f64,
     speed: f64,
     gap: &GapHistory,
+    line: Option<&LineHistory>,
     gravity: Gravity,
 ) -> Outcome {
-    let down = gravity.direction();
-    let bound = gap.most <= BOUND_GAP.ln();
-    let turned = end.line_angle - earlier.line_angle;
-    if bound && turned.abs() > DRIFTING_ORBIT_ANGLE {
-        return if turned > 0.0 {
+    let Some(line) = line.filter(|_| gap.most <= BOUND_GAP.ln()) else {
+        return if points_upward(end, gravity) {
+            Outcome::Upward
+        } else if end.gap.eps() > 1.0 {
+            Outcome::Scattered
+        } else {
+            Outcome::Undecided
+        };
+    };
+    let turned = (end.line_angle - earlier.line_angle).abs();
+    let gap_oscillates = gap.minima >= OSCILLATIONS && gap.most - gap.least > SETTLED;
+    if turned > ORBIT_ANGLE && line.orbits() {
+        return if line.turned() > 0.0 {
             Outcome::Anticlockwise
         } else {
             Outcome::Clockwise
         };
     }
-    let oscillates = gap.minima >= OSCILLATIONS && gap.most - gap.least > SETTLED;
-    if bound && oscillates {
+    if gap_oscillates || (turned > STILL && line.swings >= OSCILLATIONS) {
         return Outcome::Oscillating;
     }
+    if turned > STILL && end.gap.eps() <= 1.0 {
+        return Outcome::Undecided;
+    }
+    let down = gravity.direction();
     let sinking = (end.midpoint - earlier.midpoint).dot(&down);
-    if bound && sinking > DRIFT_SPEED * speed * duration {
+    let least = DRIFT_SPEED * speed * duration;
+    let both = |up: f64| (end.orientations.iter()).all(|p| up * p.dot(&down) < 0.0);
+    if both(-1.0) && sinking > least {
         Outcome::Downward
-    } else if points_upward(end, gravity) {
+    } else if points_upward(end, gravity) || (both(1.0) && -sinking > least) {
         Outcome::Upward
-    } else if bound {
-        judge_bound(earlier, end, duration, speed)
-    } else if end.gap.eps() > 1.0 {
-        Outcome::Scattered
     } else {
-        Outcome::Undecided
+        judge_bound(earlier, end, duration, speed)
     }
 }
 
 /// Whether both squirmers point upward.
 pub(crate) fn points_upward(end: &Configuration, gravity: Gravity) -> bool {
     (end.orientations.iter()).all(|p| -p.dot(&gravity.direction()) > UPWARD)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn history(angles: impl IntoIterator<Item = f64>) -> LineHistory {
+        let mut history = LineHistory::new(0.0);
+        for angle in angles {
+            history.take(angle);
+        }
+        history
+    }
+
+    #[test]
+    fn a_line_that_goes_round_orbits_whatever_it_did_at_first() {
+        let round = (0..=80).map(|i| 0.1 * f64::from(i));
+        assert!(history(round.clone()).orbits());
+        let after_a_swing = [-0.3, -0.7, -1.2].into_iter().chain(round);
+        let line = history(after_a_swing);
+        assert!(line.orbits() && line.swings == 1, "{line:?}");
+        assert!(!history((0..=60).map(|i| 0.1 * f64::from(i))).orbits());
+    }
+
+    #[test]
+    fn a_line_that_swings_to_and_fro_does_not_orbit() {
+        // By more than a whole turn each way: only the reversals tell.
+        let swinging = |i: i32| 7.0 * (0.05 * f64::from(i)).sin();
+        let line = history((0..400).map(swinging));
+        assert!(!line.orbits() && line.swings >= OSCILLATIONS, "{line:?}");
+    }
+
+    #[test]
+    fn tremor_is_no_reversal() {
+        let line = history((0..200).map(|i| 0.05 * f64::from(i) + 0.2 * f64::from(i).sin()));
+        assert!(line.orbits() && line.swings == 0, "{line:?}");
+    }
 }

@@ -8,7 +8,7 @@
 use super::coordinates::{Configuration, Coordinates, Planar, Spatial};
 use super::equations::{Absent, Effect, PairMotion, Present};
 use super::free_flight::PairFlight;
-use super::outcome::{GapHistory, Outcome, judge_bound, judge_steady};
+use super::outcome::{GapHistory, LineHistory, Outcome, judge_bound, judge_steady};
 use super::outcome::{judge_under_gravity, points_upward};
 use super::steady::{Attempts, steady_state};
 use super::swirling::Swirl;
@@ -199,6 +199,8 @@ struct Runner<'a, H: ?Sized, C, R, G, const N: usize> {
     sampled: u64,
     /// The first configuration in the watched part of the run, and the gaps since.
     watched: Option<(Sample, GapHistory)>,
+    /// Under gravity: how the line of centres has turned since the pair was bound.
+    line: Option<LineHistory>,
     settled: Option<f64>,
 }
 
@@ -249,6 +251,7 @@ where
             samples: Vec::new(),
             sampled: 0,
             watched: None,
+            line: None,
             settled: None,
         })
     }
@@ -329,7 +332,10 @@ where
             .fold(0.0, f64::max);
         let (earlier, duration) = (&watched.configuration, self.t - watched.t);
         match self.motion.gravity.get() {
-            Some(g) => judge_under_gravity(earlier, &self.now, duration, speed, gaps, g),
+            Some(gravity) => {
+                let ends = (earlier, &self.now);
+                judge_under_gravity(ends, duration, speed, gaps, self.line.as_ref(), gravity)
+            }
             None => judge_bound(earlier, &self.now, duration, speed),
         }
     }
@@ -348,6 +354,9 @@ where
         let end = self.t + duration;
         let from = self.t;
         self.record_between(end, |t| flight.at(t - from));
+        if !flight.is_straight() {
+            self.watch_flight(&flight, duration);
+        }
         if contact != Some(0.0) {
             self.now = flight.at(duration);
         }
@@ -402,17 +411,31 @@ where
 
     /// Keeps what the end of a run is judged by.
     fn watch(&mut self) {
-        let ln_gap = self.now.gap.ln();
+        self.watch_at(self.t, self.now);
+    }
+
+    fn watch_at(&mut self, t: f64, configuration: Configuration) {
+        if self.motion.gravity.get().is_some() {
+            self.line = LineHistory::follow(self.line, &configuration);
+        }
+        let ln_gap = configuration.gap.ln();
         match &mut self.watched {
             Some((_, gaps)) => gaps.take(ln_gap),
-            None if self.t >= WATCHED_FROM * self.options.end_time => {
-                let sample = Sample {
-                    t: self.t,
-                    configuration: self.now,
-                };
+            None if t >= WATCHED_FROM * self.options.end_time => {
+                let sample = Sample { t, configuration };
                 self.watched = Some((sample, GapHistory::from(ln_gap)));
             }
             None => {}
+        }
+    }
+
+    /// The same on the way of a flight of the given duration, which may go far out and come back.
+    fn watch_flight(&mut self, flight: &PairFlight, duration: f64) {
+        /// Instants at which a flight is looked at.
+        const LOOKS: u32 = 32;
+        for look in 1..LOOKS {
+            let flown = duration * f64::from(look) / f64::from(LOOKS);
+            self.watch_at(self.t + flown, flight.at(flown));
         }
     }
 

@@ -1,0 +1,212 @@
+//! Bottom-heavy squirmers under gravity (the paper's Fig. 8a-f): their trajectories, and how far
+//! down a bound pair goes compared with its members alone.
+
+use rayon::prelude::*;
+use scene::{Configuration, Run, RunOptions, Sample, Scene, SceneError};
+use serde::{Deserialize, Serialize};
+
+use crate::maps::Pair;
+use crate::sweep::SweepOptions;
+use crate::{Method, Model};
+
+/// Time between the rows of a trajectory, in `a/V_s`.
+const SAMPLE_INTERVAL: f64 = 0.2;
+
+/// One panel: a pair and the directions in which it starts.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PanelCase {
+    /// Letter of the panel.
+    pub panel: String,
+    /// Squirmer parameter of both.
+    pub beta: f64,
+    /// Bottom-heaviness of both.
+    pub g: f64,
+    /// Difference of the initial angles, `(phi2 - phi1)/pi`.
+    pub delta: f64,
+    /// Sum of the initial angles, `(phi2 + phi1)/pi`.
+    pub sigma: f64,
+    /// Time up to which the motion is shown, in `a/V_s`.
+    pub until: f64,
+}
+
+impl PanelCase {
+    /// The scene of this panel.
+    ///
+    /// # Errors
+    /// [`SceneError`] for numbers that are not finite.
+    pub fn scene(&self) -> Result<Scene, SceneError> {
+        let Self { beta, g, .. } = *self;
+        Pair { beta, g, dz: 0.0 }.scene(self.delta, self.sigma)
+    }
+}
+
+/// A panel run by one method.
+#[derive(Clone, Debug)]
+pub struct PanelRun {
+    /// The panel.
+    pub case: PanelCase,
+    /// The method.
+    pub method: Method,
+    /// The run to its end, with samples, or the one line that says why there is none.
+    pub run: Result<Run, String>,
+}
+
+/// One line of `bottom_heavy.csv`: lengths in radii, time in `a/V_s`, angles anticlockwise from the x
+/// axis, which wind.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[allow(missing_docs, reason = "the columns' names say it")]
+pub struct TrajectoryRow {
+    pub method: &'static str,
+    pub panel: String,
+    pub t: f64,
+    pub x1: f64,
+    pub y1: f64,
+    pub x2: f64,
+    pub y2: f64,
+    pub angle1_deg: f64,
+    pub angle2_deg: f64,
+    pub gap: f64,
+}
+
+/// One line of the summary: what became of a panel's pair by the end of the run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PanelRow {
+    /// Letter of the panel.
+    pub panel: String,
+    /// Name of the method.
+    pub method: &'static str,
+    /// Squirmer parameter.
+    pub beta: f64,
+    /// Bottom-heaviness.
+    pub g: f64,
+    /// Difference of the initial angles over pi.
+    pub delta: f64,
+    /// Sum of the initial angles over pi.
+    pub sigma: f64,
+    /// Outcome at the end of the run, or `failed`.
+    pub outcome: String,
+    /// Smallest gap, in radii.
+    pub min_gap: f64,
+    /// How much further down than alone the two go, [`depth_ratio`]; NaN where alone they would not.
+    pub depth_ratio: f64,
+}
+
+impl PanelRun {
+    /// The samples that the panel shows.
+    pub(crate) fn shown(&self) -> impl Iterator<Item = &Sample> {
+        let samples = self.run.as_ref().map_or(&[][..], |run| &run.samples);
+        samples.iter().filter(|s| s.t <= self.case.until)
+    }
+
+    /// The rows of the part of the trajectory that the panel shows.
+    pub fn trajectory(&self) -> impl Iterator<Item = TrajectoryRow> {
+        self.shown().map(|Sample { t, configuration }| {
+            let [one, two] = configuration.positions();
+            let [angle1_deg, angle2_deg] = configuration.angles.map(f64::to_degrees);
+            TrajectoryRow {
+                method: self.method.name(),
+                panel: self.case.panel.clone(),
+                t: *t,
+                x1: one.x,
+                y1: one.y,
+                x2: two.x,
+                y2: two.y,
+                angle1_deg,
+                angle2_deg,
+                gap: configuration.gap.eps(),
+            }
+        })
+    }
+
+    /// The line of the summary.
+    #[must_use]
+    pub fn summary(&self) -> PanelRow {
+        let PanelCase {
+            panel,
+            beta,
+            g,
+            delta,
+            sigma,
+            ..
+        } = self.case.clone();
+        let run = self.run.as_ref().ok();
+        PanelRow {
+            panel,
+            method: self.method.name(),
+            beta,
+            g,
+            delta,
+            sigma,
+            outcome: run.map_or("failed".to_owned(), |run| run.outcome.to_string()),
+            min_gap: run.map_or(f64::NAN, |run| run.min_gap),
+            depth_ratio: run.map_or(f64::NAN, |run| depth_ratio(run, g)),
+        }
+    }
+}
+
+/// Every panel by every method: methods outermost, panels in their order.
+#[must_use]
+pub fn panel_runs(
+    models: &[&Model],
+    panels: &[PanelCase],
+    options: &SweepOptions,
+) -> Vec<PanelRun> {
+    let started = std::time::Instant::now();
+    let run_options = RunOptions {
+        sample_interval: Some(SAMPLE_INTERVAL),
+        ..options.run
+    };
+    let pairs: Vec<_> = (models.iter())
+        .flat_map(|model| panels.iter().map(move |panel| (model, panel)))
+        .collect();
+    (pairs.into_par_iter())
+        .map(|(model, panel)| {
+            let late = (options.time_limit).is_some_and(|limit| started.elapsed() >= limit);
+            let run = if late {
+                Err("skipped: the time limit was reached".to_owned())
+            } else {
+                (panel.scene())
+                    .and_then(|scene| model.run(&scene, &run_options))
+                    .map_err(|error| error.to_string())
+            };
+            PanelRun {
+                case: panel.clone(),
+                method: model.method(),
+                run,
+            }
+        })
+        .collect()
+}
+
+/// How many times further down the two squirmers of a run go than they would alone: the sum of their
+/// greatest depths below the starting points, from the samples, over the same sum of lone squirmers with
+/// the bottom-heaviness `g`. NaN if alone neither would go down.
+///
+/// A lone squirmer at the angle `theta` from up turns with `-k sin(theta)`, `k = G/(8 pi)`, while it rises
+/// with `cos(theta)`; from `theta > pi/2` it sinks by `-ln(sin theta)/k` before it rises.
+#[must_use]
+pub fn depth_ratio(run: &Run, g: f64) -> f64 {
+    let rate = g / (8.0 * std::f64::consts::PI);
+    let depth = |k: usize| {
+        let height = |c: &Configuration| c.positions()[k].y;
+        let lowest = (run.samples.iter())
+            .map(|s| height(&s.configuration))
+            .fold(f64::INFINITY, f64::min);
+        height(&run.start) - lowest
+    };
+    let alone = |k: usize| {
+        let p = run.start.orientations[k];
+        if p.y < 0.0 {
+            -p.x.abs().ln() / rate
+        } else {
+            0.0
+        }
+    };
+    let alone = alone(0) + alone(1);
+    if alone > 0.0 {
+        (depth(0) + depth(1)) / alone
+    } else {
+        f64::NAN
+    }
+}

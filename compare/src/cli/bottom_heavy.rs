@@ -1,0 +1,70 @@
+//! The command for bottom-heavy squirmers.
+
+use super::args::{Arguments, ModelArguments, RunArguments};
+use super::commands::{model_options, print_rows, set_up, sweep_options};
+use super::maps::METHODS;
+use crate::bottom_heavy::{PanelRun, panel_runs};
+use crate::output::{OutputFolder, csv_text};
+use crate::{CompareError, Defaults, pictures};
+
+pub(super) fn run(
+    models: &ModelArguments,
+    runs: &RunArguments,
+    general: &Arguments,
+) -> Result<(), CompareError> {
+    let (methods, options) = model_options(models, &METHODS, general)?;
+    let sweep = sweep_options(runs.tol, runs.time_limit)?;
+    let panels = Defaults::paper()?.bottom_heavy;
+    let out = OutputFolder::open(&general.out)?;
+    let models = set_up(&methods, &options)?;
+    let models: Vec<_> = models.iter().collect();
+    let runs = panel_runs(&models, &panels, &sweep);
+    let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
+    out.write("bottom_heavy.csv", &csv_text(&rows)?)?;
+    if let Some(picture) = pictures::of_bottom_heavy(&runs)? {
+        out.write(&picture.file_name, &picture.svg)?;
+    }
+    print(&runs);
+    for run in &runs {
+        if let Err(reason) = &run.run {
+            eprintln!("{}", failure(run, reason));
+        }
+    }
+    Ok(())
+}
+
+/// One line about a run without a result.
+pub(crate) fn failure(run: &PanelRun, reason: &str) -> String {
+    format!("panel {}, {}: {reason}", run.case.panel, run.method)
+}
+
+fn print(runs: &[PanelRun]) {
+    let header = [
+        "panel",
+        "method",
+        "beta",
+        "g",
+        "delta",
+        "sigma",
+        "outcome",
+        "min gap",
+        "depth over alone",
+    ];
+    print_rows(
+        &header,
+        runs.iter().map(|run| {
+            let row = run.summary();
+            vec![
+                row.panel,
+                row.method.to_owned(),
+                row.beta.to_string(),
+                row.g.to_string(),
+                row.delta.to_string(),
+                row.sigma.to_string(),
+                row.outcome,
+                format!("{:.5}", row.min_gap),
+                format!("{:.3}", row.depth_ratio),
+            ]
+        }),
+    );
+}

@@ -1,0 +1,166 @@
+//! Trajectories of bottom-heavy squirmers (the paper's Fig. 8a-f): a column for each panel, a row for
+//! each method; the spheres to scale at the start, arrows along the orientations.
+
+use std::ops::Range;
+
+use plotters::style::RGBColor;
+
+use super::canvas::{
+    ABOVE, Axes, BELOW, Entry, Key, LEFT, Panel, RIGHT, Stroke, TITLE, legend_height, picture,
+};
+use super::style::{Dash, colour};
+use super::{FigureError, methods, number};
+use crate::bottom_heavy::PanelRun;
+
+/// Time between the orientations that are drawn, in `a/V_s`.
+pub const ARROW_INTERVAL: f64 = 4.0;
+
+/// Colour of the orientations: both lines are seen beside it.
+const ARROW: RGBColor = RGBColor(96, 96, 96);
+
+/// Nominal length of an orientation's arrow.
+const ARROW_LENGTH: f64 = 17.0;
+
+/// Room about the trajectories, in radii: spheres and arrows stay within.
+const ROOM: f64 = 1.6;
+
+/// Size of a plot.
+const PLOT: (f64, f64) = (170.0, 340.0);
+
+/// Room left of all for the methods' names.
+const NAMES: f64 = 26.0;
+
+/// A point of a path and the orientation there.
+type Pose = ((f64, f64), (f64, f64));
+
+/// The path of one squirmer, as far as the panel shows it.
+fn path(run: &PanelRun, k: usize) -> Vec<(f64, Pose)> {
+    (run.shown())
+        .map(|s| {
+            let (x, p) = (
+                s.configuration.positions()[k],
+                s.configuration.orientations[k],
+            );
+            (s.t, ((x.x, x.y), (p.x, p.y)))
+        })
+        .collect()
+}
+
+/// Draws the panels, in the x-y plane and in radii, each in a window of its own: pairs that stay together
+/// by one method part by another.
+///
+/// # Errors
+/// [`FigureError`] if there is no run with samples.
+pub fn bottom_heavy(runs: &[PanelRun]) -> Result<String, FigureError> {
+    let methods = methods(runs.iter().map(|run| run.method));
+    let mut panels: Vec<&PanelRun> = Vec::new();
+    for run in runs {
+        if run.run.is_ok() && panels.iter().all(|other| other.case != run.case) {
+            panels.push(run);
+        }
+    }
+    if panels.is_empty() {
+        let what = "no run with samples";
+        return Err(FigureError::Empty { what });
+    }
+    let cell = (LEFT + PLOT.0 + RIGHT, ABOVE + PLOT.1 + BELOW);
+    let width = NAMES + cell.0 * panels.len() as f64;
+    let legend_top = TITLE + cell.1 * methods.len() as f64 + 8.0;
+    let legend = legend();
+    let height = legend_top + legend_height(&legend, width);
+    picture((width, height), "Bottom-heavy squirmers", |canvas| {
+        for (row, &method) in methods.iter().enumerate() {
+            let top = TITLE + cell.1 * row as f64 + ABOVE;
+            canvas.upright_label(method.title(), (NAMES / 2.0, top + PLOT.1 / 2.0))?;
+            for (column, first) in panels.iter().enumerate() {
+                let case = &first.case;
+                let mine = (runs.iter())
+                    .find(|run| run.case == *case && run.method == method && run.run.is_ok());
+                let (x, y) = window(mine.unwrap_or(first));
+                let axes = Axes {
+                    title: format!(
+                        "({}) β = {}, G = {}",
+                        case.panel,
+                        number(case.beta),
+                        number(case.g)
+                    ),
+                    x,
+                    y,
+                    x_title: "x (radii a)",
+                    y_title: "y (radii a)",
+                    ticks: (4, 9),
+                };
+                let corner = (NAMES + cell.0 * column as f64 + LEFT, top);
+                let panel = canvas.panel(corner, PLOT, axes)?;
+                if let Some(run) = mine {
+                    draw(&panel, run)?;
+                }
+            }
+        }
+        canvas.legend(&legend, legend_top, width)
+    })
+}
+
+fn stroke(k: usize) -> Stroke {
+    Stroke {
+        colour: colour(k),
+        width: 1.8,
+        dash: Dash::of(k),
+    }
+}
+
+fn legend() -> Vec<Vec<Entry>> {
+    vec![vec![
+        (Key::Line(stroke(0)), "squirmer 1".to_owned()),
+        (Key::Line(stroke(1)), "squirmer 2".to_owned()),
+        (
+            Key::Arrow(ARROW),
+            format!("orientation, every Δt = {}", number(ARROW_INTERVAL)),
+        ),
+        (Key::Sphere, "start, to scale".to_owned()),
+    ]]
+}
+
+fn draw(panel: &Panel<'_, '_>, run: &PanelRun) -> Result<(), FigureError> {
+    let paths = [0, 1].map(|k| path(run, k));
+    let mut points: Vec<_> = paths.iter().flatten().map(|(_, (at, _))| *at).collect();
+    for (_, ((x, y), _)) in paths.iter().filter_map(|path| path.first()) {
+        points.extend([(x + 1.0, *y), (x - 1.0, *y), (*x, y + 1.0), (*x, y - 1.0)]);
+    }
+    panel.gravity(&points)?;
+    for (k, path) in paths.iter().enumerate() {
+        if let Some((_, (at, heading))) = path.first() {
+            panel.sphere(*at, *heading, colour(k))?;
+        }
+        let line: Vec<_> = path.iter().map(|(_, (at, _))| *at).collect();
+        panel.line(&line, stroke(k))?;
+    }
+    for path in &paths {
+        let mut next = ARROW_INTERVAL;
+        for (t, (at, heading)) in path {
+            // Samples lie on multiples of an interval that divides this one.
+            if *t >= next - 1e-9 {
+                panel.arrow(*at, *heading, ARROW_LENGTH, ARROW)?;
+                next += ARROW_INTERVAL;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// What the trajectories need, widened to the shape of the plot.
+fn window(run: &PanelRun) -> (Range<f64>, Range<f64>) {
+    let mut bounds = [(f64::INFINITY, f64::NEG_INFINITY); 2];
+    for (_, (at, _)) in [0, 1].iter().flat_map(|&k| path(run, k)) {
+        for (bound, v) in bounds.iter_mut().zip([at.0, at.1]) {
+            *bound = (bound.0.min(v - ROOM), bound.1.max(v + ROOM));
+        }
+    }
+    let scale = (bounds[0].1 - bounds[0].0) / PLOT.0;
+    let scale = scale.max((bounds[1].1 - bounds[1].0) / PLOT.1);
+    let [x, y] = [(bounds[0], PLOT.0), (bounds[1], PLOT.1)].map(|((low, high), size)| {
+        let (middle, half) = (0.5 * (low + high), 0.5 * scale * size);
+        middle - half..middle + half
+    });
+    (x, y)
+}

@@ -1,0 +1,84 @@
+//! The section on bottom-heavy squirmers: the panels of Fig. 8(a-f), and shares of orbits (g).
+
+use crate::bottom_heavy::{PanelRun, panel_runs};
+use crate::cli::bottom_heavy::failure;
+use crate::maps::{Grid, Pair, fates};
+use crate::output::{OutputFolder, csv_text};
+use crate::report::{Figure, Section, Table};
+use crate::sweep::SweepOptions;
+use crate::{CompareError, Defaults, Model, figures, pictures};
+
+use super::{words, written};
+
+/// Points a side over which shares are taken: a share of 20 % has a standard error
+/// of 3 %.
+const GRID: usize = 14;
+
+/// Tolerance of their steps, that of the command `fates`.
+const TOLERANCE: f64 = 1e-7;
+
+/// Squirmer parameters of the shares: strong pushers, as in the paper, and strong pullers.
+const BETA: [f64; 2] = [-5.0, 5.0];
+
+/// Bottom-heavinesses of the shares.
+const GRAVITY: [f64; 5] = [0.0, 1.0, 2.0, 2.5, 3.0];
+
+/// The section, and a line about each run without a result.
+pub(super) fn section(
+    models: &[&Model],
+    sweep: &SweepOptions,
+    out: &OutputFolder,
+) -> Result<(Section, Vec<String>), CompareError> {
+    let runs = panel_runs(models, &Defaults::paper()?.bottom_heavy, sweep);
+    let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
+    let summary: Vec<_> = runs.iter().map(PanelRun::summary).collect();
+    let trajectories = csv_text(&rows)?;
+    out.write("bottom_heavy.csv", &trajectories)?;
+    let picture = pictures::of_bottom_heavy(&runs)?;
+
+    let mut at_tolerance = *sweep;
+    at_tolerance.run.tolerance = TOLERANCE;
+    let pairs: Vec<_> = (BETA.iter())
+        .flat_map(|&beta| GRAVITY.map(|g| Pair { beta, g, dz: 0.0 }))
+        .collect();
+    let orbits = fates(models, &pairs, Grid::new(GRID)?, &at_tolerance, out)?;
+    let mut shown = written(picture.into_iter().collect(), out)?;
+    let mut tables = vec![Table {
+        csv: trajectories,
+        file_name: "bottom_heavy.csv".to_owned(),
+        ..Table::from_rows(
+            "What became of each panel's pair by t = 200, and how many times further down it went than \
+             its members would have gone alone; the linked file has the trajectories.",
+            "bottom_heavy.csv",
+            &summary,
+        )?
+    }];
+    // Left out where the time limit was reached.
+    if let Some(orbits) = orbits {
+        let csv = csv_text(&orbits)?;
+        out.write("gravity-fates.csv", &csv)?;
+        let svg = figures::fates(&orbits)?;
+        out.write("gravity-fates.svg", &svg)?;
+        shown.push(Figure {
+            svg,
+            caption: words::caption("gravity-fates").to_owned(),
+        });
+        tables.push(Table::from_csv(
+            "Share of each outcome over the incoming angles under gravity.",
+            "gravity-fates.csv",
+            &csv,
+        )?);
+    }
+    let section = Section {
+        id: "bottom-heavy".to_owned(),
+        title: "Bottom-heavy squirmers (Fig. 8)".to_owned(),
+        prose: words::bottom_heavy(),
+        figures: shown,
+        tables,
+    };
+    let failures = runs.iter().filter_map(|run| {
+        let reason = run.run.as_ref().err()?;
+        Some(failure(run, reason))
+    });
+    Ok((section, failures.collect()))
+}
