@@ -549,11 +549,10 @@ impl Panel<'_, '_> {
         self.canvas.arrow(self.place(from), along, length, colour)
     }
 
-    /// An arrow downward with the letter g, in a corner of the plot that the points leave free.
+    /// An arrow downward with the letter g, in the corner of the plot that the points leave most free.
     pub(super) fn gravity(&self, points: &[(f64, f64)]) -> Result<(), FigureError> {
-        const INSET: (f64, f64) = (30.0, 14.0);
+        const INSET: (f64, f64) = (24.0, 14.0);
         const LENGTH: f64 = 30.0;
-        const ROOM: f64 = 34.0;
         let (left, right) = (
             self.corner.0 + INSET.0,
             self.corner.0 + self.size.0 - INSET.0,
@@ -562,14 +561,19 @@ impl Panel<'_, '_> {
             self.corner.1 + INSET.1,
             self.corner.1 + self.size.1 - INSET.1 - LENGTH,
         );
-        let free = |(x, y): &(f64, f64)| {
-            points.iter().all(|at| {
+        let room = |(x, y): (f64, f64)| {
+            let distances = points.iter().map(|at| {
                 let at = self.place(*at);
-                (at.0 - x).hypot(at.1 - (y + LENGTH / 2.0)) > ROOM
-            })
+                (at.0 - x).hypot(at.1 - (y + LENGTH / 2.0))
+            });
+            distances.fold(f64::INFINITY, f64::min)
         };
-        let corners = [(right, top), (left, top), (right, low), (left, low)];
-        let at = corners.into_iter().find(free).unwrap_or((right, top));
+        let mut at = (right, top);
+        for corner in [(left, top), (right, low), (left, low)] {
+            if room(corner) > room(at) {
+                at = corner;
+            }
+        }
         self.canvas.arrow(at, (0.0, -1.0), LENGTH, INK)?;
         self.canvas.label("g", (at.0 + 8.0, at.1 + LENGTH / 2.0))
     }
