@@ -48,7 +48,9 @@ impl<'a, 'i> Table<'a, 'i> {
 
     /// The value of `name`, if it is there.
     pub(super) fn get(&mut self, name: &'static str) -> Option<Entry<'a, 'i>> {
-        self.known.push(name);
+        if !self.known.contains(&name) {
+            self.known.push(name);
+        }
         let (_, value) = (self.table.iter()).find(|(key, _)| key.get_ref() == name)?;
         Some(Entry {
             key: self.key(name),
