@@ -13,8 +13,8 @@ use compare::{Approach, Case, Defaults, Method, Model, ModelOptions, SceneFile};
 use lt::{Form, Lubrication};
 use nalgebra::Vector3;
 use scene::{
-    Gap, Gravity, Isolated, Orientation, Outcome, Plan, Pose, Repulsion, Run, RunOptions, Scene,
-    Squirmer, State, rates, run, run_plan,
+    Gap, Gravity, Isolated, LoadSet, Orientation, Outcome, Plan, Pose, Repulsion, Run, RunOptions,
+    Scene, Squirmer, State, rates, run, run_plan,
 };
 
 fn folder() -> PathBuf {
@@ -398,15 +398,16 @@ impl scene::Hydrodynamics for Disturbed {
         Lubrication::new(Form::Corrected).range()
     }
 
-    fn loads(&self, gap: Gap, modes: usize) -> Result<scene::PairLoads, scene::SceneError> {
-        let loads = Lubrication::new(Form::Corrected).interacting_loads(gap, modes)?;
+    fn loads(&self, gap: Gap, set: LoadSet) -> Result<scene::PairLoads, scene::SceneError> {
+        let loads =
+            Lubrication::new(Form::Corrected).interacting_loads(gap, LoadSet::all(set.modes))?;
         let mut columns: Vec<_> = loads.columns().collect();
         columns[self.which] *= 1.0 + self.by;
         columns[self.which] += self.by;
-        Ok(scene::PairLoads::from_columns(modes, &columns))
+        Ok(scene::PairLoads::from_columns(set, set, &columns))
     }
 
-    fn error_estimate(&self, _: Gap, _: usize) -> Result<f64, scene::SceneError> {
+    fn error_estimate(&self, _: Gap, _: LoadSet) -> Result<f64, scene::SceneError> {
         Ok(0.0)
     }
 
