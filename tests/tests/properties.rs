@@ -160,7 +160,11 @@ proptest! {
         let passive = Squirmer::new(&[0.0, 0.0]).unwrap().bottom_heavy(heaviness).unwrap();
         let still = Scene::new([passive; 2], scene.start, None, scene.gravity).unwrap();
         let run = ran(&still);
-        prop_assert_eq!(run.end.positions(), run.start.positions());
+        // The lines of centres are kept as angles: sine and cosine round.
+        let [end, start] = [&run.end, &run.start].map(Configuration::positions);
+        for k in 0..2 {
+            prop_assert!((end[k] - start[k]).norm() < 4.0 * f64::EPSILON);
+        }
         prop_assert!((run.end.orientations[0] - run.start.orientations[0]).norm() < 4.0 * f64::EPSILON);
         prop_assert_eq!(run.min_gap, run.start.gap.eps());
     }
@@ -187,7 +191,8 @@ proptest! {
         let gravity = Some(Gravity::new(down).unwrap());
         let none = Scene::new(light, scene.start, None, None).unwrap();
         let plain = ran(&none);
-        prop_assume!(!on_the_edge(&plain));
+        // At contact itself the limit is singular: any repulsion keeps the spheres apart.
+        prop_assume!(!on_the_edge(&plain) && plain.min_gap > 1e-3);
         let with = |strength: f64| {
             let heavy = light.map(|s| s.bottom_heavy(strength).unwrap());
             let tiny = Repulsion::new(strength, 100.0).unwrap();
@@ -202,7 +207,9 @@ proptest! {
     #[test]
     fn no_effect_of_a_plan_can_be_left_out(scene in any_scene(), seeds in prop::array::uniform6(0.0..1.0)) {
         let plan = Plan::new(&scene).unwrap();
-        let at = reachable(&plan, seeds);
+        // Near contact, where repulsion is felt.
+        let [_, a, b, c, d, e] = seeds;
+        let at = reachable(&plan, [0.0, a, b, c, d, e]);
         let of = |plan: &Plan| rates(plan, &MODEL(), &at, 1).unwrap();
         let whole = of(&plan);
         if plan.repulsion().is_some() {
@@ -299,7 +306,7 @@ fn difference(a: &Rates, b: &Rates) -> f64 {
 fn symmetric_plans_leave_nothing_out_either() {
     let squirmer = Squirmer::with_beta(1.0, 4.0).unwrap();
     for angles in [[0.4, PI + 0.4], [0.4, PI - 0.4], [0.0, PI]] {
-        let start = [(-1.4, angles[0]), (1.4, angles[1])].map(|(x, angle)| Pose {
+        let start = [(-1.01, angles[0]), (1.01, angles[1])].map(|(x, angle)| Pose {
             position: [x, 0.0, 0.0].into(),
             orientation: Orientation::Angle(angle),
         });

@@ -108,7 +108,12 @@ fn starts_of_the_maps_from_files_are_those_of_the_map_to_the_last_bit() {
     ] {
         let file = scene_file(name);
         let options = file.run;
-        let row = scatter_row(&lubrication(), Pair { beta, g }, (delta, sigma), &options);
+        let row = scatter_row(
+            &lubrication(),
+            Pair { beta, g, dz: 0.0 },
+            (delta, sigma),
+            &options,
+        );
         let run = ran(&file);
         assert_eq!(run.outcome.to_string(), row.outcome, "{name}");
         let deflections = run.deflections().map(|angle| angle.to_degrees() + 0.0);

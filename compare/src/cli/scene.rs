@@ -182,7 +182,7 @@ pub(super) fn explain(
     println!();
     println!(
         "One right-hand side takes {:.3} µs at the start. Shares are measured now, on this machine: its time with \
-         the effect and without.",
+         the effect and without. That of a symmetry is negative: what it saves.",
         1e6 * clock.whole
     );
     Ok(())

@@ -162,13 +162,14 @@ fn run_options(file: &mut Table<'_, '_>, notes: &mut Notes<'_>) -> Option<RunOpt
         run.finish(notes);
     }
     let least = options.end_time / MOST_SAMPLES;
+    options.sample_interval = Some(SAMPLE_INTERVAL.max(least));
     if let Some(mut output) = effects::table(file, "output", notes) {
         let allowed = format!("a time of at least {least}, a millionth of the end time");
-        let interval = output.number("sample_interval", notes, &allowed, |t| t >= least);
+        let interval = output.number("sample_interval", notes, &allowed, |t| {
+            t > 0.0 && t >= least
+        });
         options.sample_interval = interval.or(options.sample_interval);
         output.finish(notes);
-    } else {
-        options.sample_interval = Some(SAMPLE_INTERVAL.max(least));
     }
     (notes.count() == before).then_some(options)
 }
