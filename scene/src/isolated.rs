@@ -1,6 +1,6 @@
 //! No hydrodynamic interaction: the loads of lone spheres at every gap.
 
-use crate::{Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, SceneError};
+use crate::{Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, SceneError, SwirlLoads};
 
 /// Two spheres that do not feel each other through the fluid.
 ///
@@ -24,6 +24,14 @@ impl Hydrodynamics for Isolated {
     fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         self.range().check(gap)?;
         Ok(PairLoads::isolated(set.check()?))
+    }
+
+    fn loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        Ok((self.loads(gap, set)?, SwirlLoads::isolated(set)))
     }
 
     fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {

@@ -46,8 +46,12 @@ fn config() -> Config {
 }
 
 fn squirmer() -> impl Strategy<Value = Squirmer> {
-    (prop::collection::vec(-3.0..3.0, 0..4), 0.0..20.0)
-        .prop_map(|(modes, g)| Squirmer::new(&modes).unwrap().bottom_heavy(g).unwrap())
+    // Half of them with swirl, of which C_1 alone does nothing.
+    let swirl = prop_oneof![Just(Vec::new()), prop::collection::vec(-1.0..1.0, 1..4)];
+    (prop::collection::vec(-3.0..3.0, 0..4), swirl, 0.0..20.0).prop_map(|(modes, swirl, g)| {
+        let plain = Squirmer::new(&modes).unwrap();
+        plain.with_swirl(&swirl).unwrap().bottom_heavy(g).unwrap()
+    })
 }
 
 fn direction() -> impl Strategy<Value = Vector3<f64>> {
@@ -138,7 +142,13 @@ proptest! {
         let turn = |v: Vector3<f64>| rotation * v;
         prop_assert!(apart(&plain, &ran(&mapped(&scene, turn)), turn) < CLOSE);
         let mirror = |v: Vector3<f64>| v - axis * (2.0 * v.dot(&axis));
-        prop_assert!(apart(&plain, &ran(&mapped(&scene, mirror)), mirror) < CLOSE);
+        // Swirl turns the other way in a mirror.
+        let mut mirrored = mapped(&scene, mirror);
+        mirrored.squirmers = scene.squirmers.map(|squirmer| {
+            let swirl: Vec<_> = squirmer.swirl().iter().map(|c| -c).collect();
+            squirmer.with_swirl(&swirl).unwrap()
+        });
+        prop_assert!(apart(&plain, &ran(&mirrored), mirror) < CLOSE);
         let [one, two] = scene.squirmers;
         let [first, second] = scene.start;
         let exchanged =
@@ -176,7 +186,9 @@ proptest! {
         let padded = light.map(|s| {
             let mut modes = s.modes().to_vec();
             modes.extend([0.0, 0.0]);
-            Squirmer::new(&modes).unwrap()
+            let mut swirl = s.swirl().to_vec();
+            swirl.extend([0.0, 0.0]);
+            Squirmer::new(&modes).and_then(|padded| padded.with_swirl(&swirl)).unwrap()
         });
         let without = Scene::new(light, scene.start, scene.repulsion, None).unwrap();
         let with = Scene::new(padded, scene.start, scene.repulsion, scene.gravity).unwrap();
@@ -218,6 +230,9 @@ proptest! {
         if plan.gravity().is_some() {
             prop_assert_ne!(of(&plan.clone().without_gravity()), whole);
         }
+        if plan.swirl() > 0 {
+            prop_assert_ne!(of(&plan.clone().without_swirl()), whole);
+        }
         for k in 0..2 {
             if !scene.squirmers[k].modes().is_empty() {
                 prop_assert_ne!(of(&plan.clone().without_squirming(k)), whole);
@@ -227,6 +242,7 @@ proptest! {
             // In a plane of constant z something would be lost.
             let flat = at.line.z == 0.0
                 && at.orientations.iter().all(|p| p.z == 0.0)
+                && plan.swirl() == 0
                 && plan.gravity().is_none_or(|g| g.direction().z == 0.0);
             prop_assert!(!flat);
         }

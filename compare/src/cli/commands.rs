@@ -15,9 +15,6 @@ use crate::sweep::SweepOptions;
 use crate::{Approach, Case, CompareError, Defaults, Encounter, Method, Model, ModelOptions};
 use crate::{full_report, pictures, sweep};
 
-/// Loads that `loads` prints.
-const LOADS: LoadSet = LoadSet::all(2);
-
 pub(super) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), CompareError> {
     match &arguments.command {
         Command::Loads {

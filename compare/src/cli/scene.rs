@@ -50,19 +50,19 @@ fn read(path: &Path) -> Result<SceneFile, CompareError> {
     })
 }
 
-fn set_up(file: &SceneFile, general: &Arguments) -> Result<Model, CompareError> {
+fn set_up(file: &SceneFile, plan: &Plan, general: &Arguments) -> Result<Model, CompareError> {
     let mut options = ModelOptions::default();
     if let Some(cache) = &general.cache {
         options.cache = Some(cache.clone());
     }
-    Model::set_up(file.method, &file.model_options(options))
+    Model::set_up(file.method, &file.model_options(plan, options))
 }
 
 pub(super) fn run(arguments: &RunArguments, general: &Arguments) -> Result<(), CompareError> {
     let file = read(&arguments.file)?;
     let out = OutputFolder::open(&general.out)?;
-    let model = set_up(&file, general)?;
     let plan = Plan::new(&file.scene)?;
+    let model = set_up(&file, &plan, general)?;
     let started = Instant::now();
     let (run, rows) = scene_run::stream(&model, &plan, &file.run, &out)?;
     let seconds = started.elapsed().as_secs_f64();
@@ -134,8 +134,8 @@ pub(super) fn explain(
     general: &Arguments,
 ) -> Result<(), CompareError> {
     let file = read(&arguments.file)?;
-    let model = set_up(&file, general)?;
     let plan = Plan::new(&file.scene)?;
+    let model = set_up(&file, &plan, general)?;
     let clock = Clock::new(&model, &plan)?;
     let lines: Vec<_> = (model.explain(&plan).into_iter())
         .map(|row| {
@@ -237,6 +237,7 @@ impl<'a> Clock<'a> {
             }
             "squirming of 1" => without(plan().without_squirming(0))?,
             "squirming of 2" => without(plan().without_squirming(1))?,
+            "swirl" => without(plan().without_swirl())?,
             "repulsion" => without(plan().without_repulsion())?,
             "gravity" => without(plan().without_gravity())?,
             "symmetry" => without(plan().without_symmetry())?,

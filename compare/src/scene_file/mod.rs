@@ -8,7 +8,7 @@ mod mistakes;
 mod squirmers;
 mod table;
 
-use scene::{Repulsion, RunOptions, Scene};
+use scene::{LoadSet, Plan, Repulsion, RunOptions, Scene};
 use toml::de::DeTable;
 
 pub use mistakes::{Mistake, Mistakes};
@@ -100,13 +100,20 @@ impl SceneFile {
         }
     }
 
-    /// How to set up its model, with tables kept as in `options`.
+    /// How to set up its model for `plan`, with tables kept as in `options`: those that the commands
+    /// share, or larger ones if the plan asks for more.
     #[must_use]
-    pub fn model_options(&self, options: ModelOptions) -> ModelOptions {
+    pub fn model_options(&self, plan: &Plan, options: ModelOptions) -> ModelOptions {
+        let (shared, needed) = (options.tabulated, plan.load_set());
         ModelOptions {
             mesh: self.mesh,
             direct: self.direct,
-            modes: options.modes.max(self.scene.modes()),
+            tabulated: LoadSet {
+                modes: shared.modes.max(needed.modes),
+                transverse: shared.transverse || needed.transverse,
+                twist: shared.twist || needed.twist,
+                swirl: shared.swirl.max(needed.swirl),
+            },
             ..options
         }
     }

@@ -107,10 +107,11 @@ fn orientation(table: &mut Table<'_, '_>, notes: &mut Notes<'_>) -> Option<Orien
     }
 }
 
-/// `modes`, or `swimming_speed` and `beta`; and `bottom_heaviness`.
+/// `modes`, or `swimming_speed` and `beta`; `swirl` and `bottom_heaviness`.
 fn body(table: &mut Table<'_, '_>, notes: &mut Notes<'_>) -> Option<Squirmer> {
     let before = notes.count();
     let modes = table.numbers("modes", notes, 0..=MAX_MODES);
+    let swirl = table.numbers("swirl", notes, 0..=MAX_MODES);
     let speed_place = table.get("swimming_speed").map(|entry| entry.span);
     let beta_place = table.get("beta").map(|entry| entry.span);
     let mut finite =
@@ -142,6 +143,8 @@ fn body(table: &mut Table<'_, '_>, notes: &mut Notes<'_>) -> Option<Squirmer> {
     if notes.count() > before {
         return None;
     }
+    let swirl = swirl.map_or(Vec::new(), |(modes, _)| modes);
+    let body = body.and_then(|body| body.with_swirl(&swirl));
     match body.and_then(|body| body.bottom_heavy(heaviness.unwrap_or(0.0))) {
         Ok(body) => Some(body),
         Err(error) => {

@@ -147,6 +147,7 @@ fn the_examples_of_the_reference_page_are_read_and_name_every_key() {
     let all = SceneFile::parse(examples[1]).unwrap();
     assert_eq!(all.method, Method::LtCorrected);
     assert_eq!(all.scene.squirmers[0].modes(), [1.5, 7.5, 0.3]);
+    assert_eq!(all.scene.squirmers[0].swirl(), [0.0, 0.4]);
     assert!(all.scene.gravity.is_some());
     for example in examples {
         SceneFile::parse(example).unwrap();

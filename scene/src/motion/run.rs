@@ -112,6 +112,7 @@ struct Runner<'a, 'b, H: ?Sized, C, R, G, const N: usize> {
     options: &'a RunOptions,
     motion: PairMotion<'a, H, C, R, G>,
     observe: &'a mut (dyn FnMut(&Sample) + 'b),
+    start: Configuration,
     t: f64,
     now: Configuration,
     min_gap: f64,
@@ -136,12 +137,13 @@ where
     G: Effect<Gravity>,
 {
     fn new(plan: &'a Plan, motion: PairMotion<'a, H, C, R, G>, task: Observed<'a, 'b>) -> Self {
-        let start = *plan.start();
+        let start = motion.coordinates.restored(*plan.start());
         Self {
             plan,
             options: task.options,
             motion,
             observe: task.observe,
+            start,
             t: 0.0,
             now: start,
             min_gap: start.gap.eps(),
@@ -164,7 +166,7 @@ where
         self.record(self.t, self.now);
         self.counters.loads = self.motion.loads;
         Ok(Run {
-            start: *self.plan.start(),
+            start: self.start,
             end: self.now,
             end_time: self.t,
             min_gap: self.min_gap,
