@@ -136,8 +136,10 @@ impl Plan {
     /// The same without the use of symmetries: on the planar or the spatial state.
     #[must_use]
     pub fn without_symmetry(self) -> Self {
+        let swirl = acting_swirl(&self.scene);
         Self {
-            state: symmetry::full_state(&self.scene, self.gravity, self.swirl > 0),
+            state: symmetry::full_state(&self.scene, self.gravity, swirl > 0),
+            swirl,
             ..self
         }
     }
@@ -183,9 +185,11 @@ impl Plan {
     /// the use of symmetries.
     #[must_use]
     pub fn with_idle_gravity(self) -> Self {
+        let swirl = acting_swirl(&self.scene);
         Self {
-            state: symmetry::full_state(&self.scene, self.scene.gravity, self.swirl > 0),
+            state: symmetry::full_state(&self.scene, self.scene.gravity, swirl > 0),
             gravity: self.scene.gravity,
+            swirl,
             ..self
         }
     }
