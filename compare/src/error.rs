@@ -25,6 +25,25 @@ pub enum CompareError {
         /// The system's reason.
         source: std::io::Error,
     },
+    /// A scene file cannot be read.
+    #[error("cannot read '{path}': {source}")]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// Mistakes in a scene file, one a line.
+    #[error("mistakes in '{path}' (line:column: key):\n{mistakes}")]
+    SceneFile {
+        /// The file.
+        path: PathBuf,
+        /// The mistakes.
+        mistakes: crate::Mistakes,
+    },
+    /// A summary could not be turned into text.
+    #[error("summary cannot be written: {0}")]
+    Json(#[from] serde_json::Error),
     /// Rows could not be turned into text.
     #[error("rows cannot be written: {0}")]
     Rows(#[from] csv::Error),
@@ -60,10 +79,14 @@ impl CompareError {
     #[must_use]
     pub fn exit_status(&self) -> u8 {
         match self {
-            Self::Input { .. } | Self::Write { .. } | Self::Bem(_) => 2,
+            Self::Input { .. }
+            | Self::Read { .. }
+            | Self::SceneFile { .. }
+            | Self::Write { .. }
+            | Self::Bem(_) => 2,
             Self::Scene(SceneError::Stepper { .. } | SceneError::Model { .. }) => 1,
             Self::Scene(_) => 2,
-            Self::Rows(_) | Self::Figure(_) | Self::Cases(_) => 1,
+            Self::Rows(_) | Self::Json(_) | Self::Figure(_) | Self::Cases(_) => 1,
         }
     }
 }

@@ -20,6 +20,8 @@ mod pictures;
 mod progress;
 mod provenance;
 pub mod report;
+pub mod scene_file;
+pub mod scene_run;
 pub mod sweep;
 
 pub use case::{Approach, Case};
@@ -32,3 +34,4 @@ pub use method::Method;
 pub use model::{BEM_TABLE_TOLERANCE, EXACT_TABLE_TOLERANCE, Model, ModelOptions};
 pub use numbers::{Numbers, parse_numbers};
 pub use output::{OutputFolder, csv_text};
+pub use scene_file::{Mistake, Mistakes, SceneFile};

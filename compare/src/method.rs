@@ -13,10 +13,12 @@ pub enum Method {
     Exact,
     /// Boundary elements.
     Bem,
+    /// No hydrodynamic interaction: in scene files only.
+    Isolated,
 }
 
 impl Method {
-    /// All methods.
+    /// The methods that can be compared: those of the command line.
     pub const ALL: [Self; 4] = [Self::Lt, Self::LtCorrected, Self::Exact, Self::Bem];
 
     /// The methods that a command runs when none are named.
@@ -24,12 +26,13 @@ impl Method {
 
     /// Name on the command line and in tables.
     #[must_use]
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Lt => "lt",
             Self::LtCorrected => "lt-corrected",
             Self::Exact => "exact",
             Self::Bem => "bem",
+            Self::Isolated => "none",
         }
     }
 
@@ -41,6 +44,7 @@ impl Method {
             Self::LtCorrected => "Lubrication theory, corrected",
             Self::Exact => "Exact hydrodynamics",
             Self::Bem => "Boundary elements",
+            Self::Isolated => "No hydrodynamic interaction",
         }
     }
 }

@@ -7,8 +7,9 @@ use bem::Bem;
 use exact::Exact;
 use lt::{Form, Lubrication};
 use scene::{
-    Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, Run, RunOptions, Scene, SceneError,
-    SwirlLoads, TableOptions, TableSummary, Tabulated, run,
+    Configuration, Gap, GapRange, Hydrodynamics, Isolated, LoadSet, PairLoads, Plan, PlanRow,
+    Rates, Run, RunOptions, Sample, Scene, SceneError, SwirlLoads, TableOptions, TableSummary,
+    Tabulated, rates, run_observed, run_plan,
 };
 
 use crate::progress::Progress;
@@ -51,11 +52,38 @@ impl Default for ModelOptions {
 
 /// Each kind is its own type, so that each has its own compiled loop.
 enum Kind {
+    Isolated(Isolated),
     Lubrication(Lubrication),
     ExactTable(Box<Tabulated<Exact>>),
     ExactDirect(Box<Exact>),
     BemTable(Box<Tabulated<Bem>>),
     BemDirect(Box<Bem>),
+}
+
+/// The same expression for the model of each kind.
+macro_rules! on_kind {
+    ($kind:expr, $model:ident => $do:expr) => {
+        match $kind {
+            Kind::Isolated($model) => $do,
+            Kind::Lubrication($model) => $do,
+            Kind::ExactTable(boxed) => {
+                let $model = boxed.as_ref();
+                $do
+            }
+            Kind::ExactDirect(boxed) => {
+                let $model = boxed.as_ref();
+                $do
+            }
+            Kind::BemTable(boxed) => {
+                let $model = boxed.as_ref();
+                $do
+            }
+            Kind::BemDirect(boxed) => {
+                let $model = boxed.as_ref();
+                $do
+            }
+        }
+    };
 }
 
 /// A method ready to run.
@@ -74,6 +102,7 @@ impl Model {
     pub fn set_up(method: Method, options: &ModelOptions) -> Result<Self, CompareError> {
         let started = Instant::now();
         let kind = match method {
+            Method::Isolated => Kind::Isolated(Isolated),
             Method::Lt => Kind::Lubrication(Lubrication::new(Form::Published)),
             Method::LtCorrected => Kind::Lubrication(Lubrication::new(Form::Corrected)),
             Method::Exact if options.direct => Kind::ExactDirect(Box::new(Exact::new())),
@@ -124,7 +153,10 @@ impl Model {
         match &self.kind {
             Kind::ExactTable(table) => Some(table.summary()),
             Kind::BemTable(table) => Some(table.summary()),
-            Kind::Lubrication(_) | Kind::ExactDirect(_) | Kind::BemDirect(_) => None,
+            Kind::Isolated(_)
+            | Kind::Lubrication(_)
+            | Kind::ExactDirect(_)
+            | Kind::BemDirect(_) => None,
         }
     }
 
@@ -133,23 +165,44 @@ impl Model {
     /// # Errors
     /// As [`scene::run`].
     pub fn run(&self, scene: &Scene, options: &RunOptions) -> Result<Run, SceneError> {
-        match &self.kind {
-            Kind::Lubrication(model) => run(scene, model, options),
-            Kind::ExactTable(model) => run(scene, model.as_ref(), options),
-            Kind::ExactDirect(model) => run(scene, model.as_ref(), options),
-            Kind::BemTable(model) => run(scene, model.as_ref(), options),
-            Kind::BemDirect(model) => run(scene, model.as_ref(), options),
-        }
+        let plan = Plan::new(scene)?;
+        on_kind!(&self.kind, model => run_plan(&plan, model, options))
+    }
+
+    /// Runs a plan and hands over its samples as they come.
+    ///
+    /// # Errors
+    /// As [`scene::run_observed`].
+    pub fn run_observed(
+        &self,
+        plan: &Plan,
+        options: &RunOptions,
+        observe: &mut dyn FnMut(&Sample),
+    ) -> Result<Run, SceneError> {
+        on_kind!(&self.kind, model => run_observed(plan, model, options, observe))
+    }
+
+    /// The right-hand side of a plan, evaluated `times` times over.
+    ///
+    /// # Errors
+    /// As [`scene::rates`].
+    pub fn rates(
+        &self,
+        plan: &Plan,
+        configuration: &Configuration,
+        times: usize,
+    ) -> Result<Rates, SceneError> {
+        on_kind!(&self.kind, model => rates(plan, model, configuration, times))
+    }
+
+    /// Every effect of a plan in words.
+    #[must_use]
+    pub fn explain(&self, plan: &Plan) -> Vec<PlanRow> {
+        plan.rows(self.hydrodynamics())
     }
 
     fn hydrodynamics(&self) -> &dyn Hydrodynamics {
-        match &self.kind {
-            Kind::Lubrication(model) => model,
-            Kind::ExactTable(model) => model.as_ref(),
-            Kind::ExactDirect(model) => model.as_ref(),
-            Kind::BemTable(model) => model.as_ref(),
-            Kind::BemDirect(model) => model.as_ref(),
-        }
+        on_kind!(&self.kind, model => model)
     }
 }
 
@@ -176,6 +229,14 @@ impl Hydrodynamics for Model {
 
     fn fingerprint(&self) -> String {
         self.hydrodynamics().fingerprint()
+    }
+
+    fn cutoff(&self) -> Option<f64> {
+        self.hydrodynamics().cutoff()
+    }
+
+    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+        self.hydrodynamics().interacting_loads(gap, set)
     }
 }
 

@@ -36,6 +36,18 @@ impl Repulsion {
         })
     }
 
+    /// Strength `kappa1`.
+    #[must_use]
+    pub fn kappa1(&self) -> f64 {
+        self.strength
+    }
+
+    /// Decay rate `kappa2`.
+    #[must_use]
+    pub fn kappa2(&self) -> f64 {
+        self.decay
+    }
+
     /// Force on each sphere, away from the other one, per `pi mu a`.
     ///
     /// ```

@@ -61,6 +61,14 @@ pub enum SceneError {
         /// The loads held.
         held: LoadSet,
     },
+    /// A sample interval that calls for too many samples.
+    #[error("{samples:e} samples are too many: at most {allowed:e} are allowed")]
+    TooManySamples {
+        /// Samples asked for.
+        samples: f64,
+        /// Samples allowed.
+        allowed: f64,
+    },
     /// The integration of a trajectory failed.
     #[error("trajectory: {reason}")]
     Stepper {

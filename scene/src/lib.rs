@@ -13,11 +13,13 @@ mod effects;
 mod error;
 mod gap;
 mod hydrodynamics;
+mod isolated;
 mod legendre;
 mod load_set;
 pub mod loads;
 pub mod motion;
 pub mod ode;
+mod plan;
 mod scene;
 pub mod singular;
 mod squirmer;
@@ -28,12 +30,15 @@ pub use effects::{Gravity, Repulsion};
 pub use error::SceneError;
 pub use gap::Gap;
 pub use hydrodynamics::{GapRange, Hydrodynamics};
+pub use isolated::Isolated;
 pub use legendre::{Legendre, legendre};
 pub use load_set::LoadSet;
 pub use loads::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
 pub use motion::{
-    BoundState, Configuration, Counters, Outcome, Run, RunOptions, Sample, bound_states, run,
+    BoundState, Configuration, Counters, Outcome, Rates, Run, RunOptions, Sample, bound_states,
+    rates, run, run_observed, run_plan,
 };
+pub use plan::{NeededLoads, Parities, Plan, PlanRow, State, SymmetryClass};
 pub use scene::{Orientation, Pose, Scene};
 pub use squirmer::Squirmer;
 pub use swirl::{SwirlLoads, SwirlModeLoads};

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::effects::unit;
 use crate::squirmer::finite;
-use crate::{Gap, Gravity, LoadSet, Repulsion, SceneError, Squirmer};
+use crate::{Gap, Gravity, Repulsion, SceneError, Squirmer};
 
 /// A swimming direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,13 +36,6 @@ impl Orientation {
         match *self {
             Self::Angle(angle) => angle,
             Self::Vector(v) => v.y.atan2(v.x),
-        }
-    }
-
-    fn is_planar(&self) -> bool {
-        match self {
-            Self::Angle(_) => true,
-            Self::Vector(v) => v.z == 0.0,
         }
     }
 }
@@ -107,47 +100,10 @@ impl Scene {
         Gap::new((self.start[1].position - self.start[0].position).norm() - 2.0)
     }
 
-    /// The loads that the motion of the scene reads.
+    /// Number of squirming modes of the two.
     #[must_use]
-    pub fn load_set(&self) -> LoadSet {
+    pub fn modes(&self) -> usize {
         let [one, two] = &self.squirmers;
-        LoadSet {
-            modes: one.modes().len().max(two.modes().len()),
-            transverse: true,
-            // Without a torque about the line of centres nothing but slip across it turns a squirmer.
-            twist: (!self.is_planar() && self.acting_gravity().is_some())
-                || self.acting_swirl() > 0,
-            swirl: self.acting_swirl(),
-        }
-    }
-
-    /// Gravity, if there is any and a squirmer that it turns.
-    #[must_use]
-    pub fn acting_gravity(&self) -> Option<Gravity> {
-        let turns = self.squirmers.iter().any(|s| s.gravity_torque() != 0.0);
-        self.gravity.filter(|_| turns)
-    }
-
-    /// Highest swirl mode, 0 if swirl has no effect: `C_1` alone turns a squirmer about its own axis,
-    /// which changes nothing, whatever is around it.
-    #[must_use]
-    pub fn acting_swirl(&self) -> usize {
-        let [one, two] = &self.squirmers;
-        let highest = one.swirl().len().max(two.swirl().len());
-        if highest > 1 { highest } else { 0 }
-    }
-
-    /// Whether the motion stays in a plane of constant z, by symmetry.
-    #[must_use]
-    pub fn is_planar(&self) -> bool {
-        let [one, two] = &self.start;
-        #[expect(clippy::float_cmp, reason = "planar means exactly planar")]
-        let level = one.position.z == two.position.z;
-        level
-            && self.acting_swirl() == 0
-            && self.start.iter().all(|pose| pose.orientation.is_planar())
-            && self
-                .acting_gravity()
-                .is_none_or(|gravity| gravity.direction().z == 0.0)
+        one.modes().len().max(two.modes().len())
     }
 }

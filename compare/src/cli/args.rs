@@ -6,6 +6,7 @@ use clap::{Args, Parser, Subcommand};
 
 use super::cost::CostArguments;
 use super::maps::{self, MapArguments, TrustArguments};
+use super::scene;
 use crate::Method;
 use crate::numbers::{Numbers, parse_numbers};
 
@@ -99,6 +100,14 @@ pub(crate) enum Command {
     #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
     #[command(mut_arg("time_limit", maps::time_limit))]
     Trust(TrustArguments),
+    /// One scene from its file: trajectory, picture, summary
+    #[command(
+        after_help = "Example:\n  squirmers run fixtures/scenes/fig6-head-on-dx1.toml --out out"
+    )]
+    Run(scene::RunArguments),
+    /// What is computed for a scene and what is not, why, and what it costs
+    #[command(after_help = "Example:\n  squirmers explain fixtures/scenes/fig8e-downward.toml")]
+    Explain(scene::ExplainArguments),
     /// All of it, with the paper's cases, into one self-contained index.html
     #[command(after_help = "Example:\n  squirmers report --out out && xdg-open out/index.html")]
     Report {

@@ -10,12 +10,10 @@ use super::args::{Arguments, Command, EncounterArguments, ModelArguments, RunArg
 use super::maps;
 use crate::numbers::Numbers;
 use crate::output::{OutputFolder, csv_text};
+use crate::scene_file::SAMPLE_INTERVAL;
 use crate::sweep::SweepOptions;
 use crate::{Approach, Case, CompareError, Defaults, Encounter, Method, Model, ModelOptions};
 use crate::{full_report, pictures, sweep};
-
-/// Time between samples of recorded trajectories, in `a/V_s`.
-const SAMPLE_INTERVAL: f64 = 0.05;
 
 pub(super) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), CompareError> {
     match &arguments.command {
@@ -37,6 +35,8 @@ pub(super) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), Compare
         Command::Fates(map) => maps::fates(map, arguments),
         Command::BottomHeavy { models, runs } => super::bottom_heavy::run(models, runs, arguments),
         Command::Trust(map) => maps::trust(map, arguments),
+        Command::Run(run) => super::scene::run(run, arguments),
+        Command::Explain(explain) => super::scene::explain(explain, arguments),
         Command::Report { models, runs } => {
             let (methods, options) = model_options(models, &Method::DEFAULT, arguments)?;
             let sweep = sweep_options(runs.tol, runs.time_limit)?;

@@ -5,6 +5,7 @@ pub(crate) mod bottom_heavy;
 pub(crate) mod commands;
 mod cost;
 pub(crate) mod maps;
+mod scene;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

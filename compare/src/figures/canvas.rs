@@ -112,6 +112,9 @@ pub(super) struct Axes {
     pub ticks: (usize, usize),
 }
 
+/// Text of a tick.
+type Label = fn(f64) -> String;
+
 /// A plot in a picture: axes, and what lies between them.
 pub(super) struct Panel<'c, 'a> {
     canvas: &'c Canvas<'a>,
@@ -399,7 +402,18 @@ impl<'a> Canvas<'a> {
         size: (f64, f64),
         axes: Axes,
     ) -> Result<Panel<'c, 'a>, FigureError> {
-        self.labelled_panel(corner, size, axes, number)
+        self.panel_with(corner, size, axes, (number, number))
+    }
+
+    /// The same with tick labels of one's own along y.
+    pub(super) fn labelled_y_panel<'c>(
+        &'c self,
+        corner: (f64, f64),
+        size: (f64, f64),
+        axes: Axes,
+        label: Label,
+    ) -> Result<Panel<'c, 'a>, FigureError> {
+        self.panel_with(corner, size, axes, (number, label))
     }
 
     /// The same with tick labels of one's own.
@@ -408,7 +422,17 @@ impl<'a> Canvas<'a> {
         corner: (f64, f64),
         size: (f64, f64),
         axes: Axes,
-        label: fn(f64) -> String,
+        label: Label,
+    ) -> Result<Panel<'c, 'a>, FigureError> {
+        self.panel_with(corner, size, axes, (label, label))
+    }
+
+    fn panel_with<'c>(
+        &'c self,
+        corner: (f64, f64),
+        size: (f64, f64),
+        axes: Axes,
+        labels: (Label, Label),
     ) -> Result<Panel<'c, 'a>, FigureError> {
         let middle = (corner.0 + size.0 / 2.0, corner.1 - ABOVE / 2.0);
         self.text(&axes.title, middle, 15.0, Anchor::Middle)?;
@@ -431,8 +455,8 @@ impl<'a> Canvas<'a> {
             .x_labels(axes.ticks.0)
             .y_labels(axes.ticks.1)
             .set_all_tick_mark_size(fine(4.0))
-            .x_label_formatter(&|v| label(*v))
-            .y_label_formatter(&|v| label(*v))
+            .x_label_formatter(&|v| labels.0(*v))
+            .y_label_formatter(&|v| labels.1(*v))
             .draw()
             .map_err(FigureError::drawing)?;
         let frame = Rectangle::new(

@@ -29,6 +29,7 @@ pub(super) fn outcome_colour(outcome: Option<Outcome>) -> RGBColor {
         Some(Outcome::Upward) => RGBColor(190, 190, 190),
         Some(Outcome::Oscillating) => RGBColor(204, 121, 167),
         Some(Outcome::Downward) => RGBColor(0, 158, 115),
+        Some(Outcome::Contact) => RGBColor(120, 70, 20),
         None => RGBColor(230, 159, 0),
     }
 }

@@ -10,6 +10,7 @@ mod heat;
 mod load_errors;
 mod map;
 mod offset;
+mod scene_run;
 mod style;
 #[cfg(test)]
 mod tests;
@@ -29,6 +30,7 @@ pub use fates::fates;
 pub use load_errors::load_errors;
 pub use map::scatter;
 pub use offset::offset;
+pub use scene_run::scene_run;
 pub use trajectories::{TICK_INTERVAL, trajectories};
 pub use trust::{trust, trust_against_offset};
 pub use work_precision::{deflections_work_precision, loads_work_precision};

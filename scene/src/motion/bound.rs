@@ -131,8 +131,10 @@ fn bound_state_near<H: Hydrodynamics + ?Sized>(
     let relative = Planar::RELATIVE?;
     let dy = motion.rhs(0.0, y);
     let (y, dy, gradients) = fixed_point(motion, 0.0, (y, &dy), relative, FROM_AFAR)?;
-    let [gap, one, two] = relative.variables;
-    let (angles, turning) = canonical([y[one], y[two]], dy[relative.turning]);
+    let &[gap, one, two] = relative.variables else {
+        return None;
+    };
+    let (angles, turning) = canonical([y[one], y[two]], dy[relative.driven]);
     let speed = dy[0].hypot(dy[1]);
     let jacobian: Matrix3<f64> = gradients.fixed_rows::<3>(0).into_owned();
     let mut eigenvalues: [Complex<f64>; 3] = jacobian.complex_eigenvalues().into();

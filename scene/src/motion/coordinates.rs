@@ -4,44 +4,14 @@
 //! keeps its digits near contact, the midpoint of the two centres, and the line of centres `d`.
 
 use nalgebra::Vector3;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
+use super::configuration::{Configuration, Rates, unwind};
 use super::equations::{self, Effect, Instant};
 use super::steady::Relative;
 use super::swirling::{self, Swirl};
 use crate::balance::{Heading, PairVelocity, Transverse, axial_spins};
 use crate::{Gap, Gravity, Hydrodynamics, PairLoads, SceneError, SelfOther, Squirmer};
-
-/// A state in the laboratory frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Configuration {
-    /// Gap between the surfaces.
-    pub gap: Gap,
-    /// Midpoint of the two centres, in sphere radii.
-    pub midpoint: Vector3<f64>,
-    /// Unit vector from the first centre to the second.
-    pub line: Vector3<f64>,
-    /// Unit orientations.
-    pub orientations: [Vector3<f64>; 2],
-    /// Angle of `line`'s projection on the x-y plane, in radians; it winds.
-    pub line_angle: f64,
-    /// Angles of the orientations' projections on the x-y plane, in radians; they wind.
-    pub angles: [f64; 2],
-}
-
-impl Configuration {
-    /// The two centres, in sphere radii.
-    #[must_use]
-    pub fn positions(&self) -> [Vector3<f64>; 2] {
-        let half = self.line * (0.5 * self.gap.distance());
-        [self.midpoint - half, self.midpoint + half]
-    }
-}
-
-/// `angle` plus the multiple of 2 pi that brings it nearest to `previous`.
-pub(crate) fn unwind(angle: f64, previous: f64) -> f64 {
-    angle + TAU * ((previous - angle) / TAU).round()
-}
 
 /// Coordinates of dimension `N`.
 pub(crate) trait Coordinates<const N: usize>: Copy {
@@ -82,6 +52,13 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
     /// The state after the further time `t` when only position and line of centres change, at the
     /// constant rates that `dy` has in the frame of the pair; none without [`Self::RELATIVE`].
     fn carried_on(&self, y: &[f64; N], dy: &[f64; N], t: f64) -> Option<[f64; N]>;
+    /// How the derivative `dy` changes the configuration.
+    fn rates(&self, y: &[f64; N], dy: &[f64; N]) -> Rates;
+    /// `configuration` with what a symmetry of the coordinates says put right, to the last bit, where
+    /// free flight in the laboratory frame has rounded it.
+    fn restored(&self, configuration: Configuration) -> Configuration {
+        configuration
+    }
     /// What gravity adds to [`Self::derivative`]: spin about the line of centres.
     fn add_axial_spin(
         &self,
@@ -108,13 +85,14 @@ impl Coordinates<6> for Planar {
     type Across = f64;
     const LN_GAP: usize = 3;
     const RELATIVE: Option<Relative> = Some(Relative {
-        variables: [3, 4, 5],
-        turning: THETA,
+        variables: &[3, 4, 5],
+        driven: THETA,
     });
 
     fn encode(&self, c: &Configuration) -> [f64; 6] {
         let theta = c.line_angle;
-        let [a1, a2] = [c.angles[0] - theta, c.angles[1] - theta - PI];
+        // In this order a pair of opposed orientations has equal angles, exactly.
+        let [a1, a2] = [c.angles[0] - theta, (c.angles[1] - PI) - theta];
         [c.midpoint.x, c.midpoint.y, theta, c.gap.ln(), a1, a2]
     }
 
@@ -196,6 +174,19 @@ impl Coordinates<6> for Planar {
         carried[1] += t * chord * (dy[0] * sin + dy[1] * cos);
         carried[THETA] += turned;
         Some(carried)
+    }
+
+    fn rates(&self, y: &[f64; 6], dy: &[f64; 6]) -> Rates {
+        let turned = |angle: f64| Vector3::new(-angle.sin(), angle.cos(), 0.0);
+        Rates {
+            midpoint: Vector3::new(dy[0], dy[1], 0.0),
+            line: turned(y[THETA]) * dy[THETA],
+            ln_gap: dy[3],
+            orientations: [
+                turned(y[THETA] + y[4]) * (dy[THETA] + dy[4]),
+                turned(y[THETA] + PI + y[5]) * (dy[THETA] + dy[5]),
+            ],
+        }
     }
 
     #[inline]
@@ -333,6 +324,16 @@ impl<W: Effect<Swirl>> Coordinates<13> for Spatial<W> {
 
     fn carried_on(&self, _: &[f64; 13], _: &[f64; 13], _: f64) -> Option<[f64; 13]> {
         None
+    }
+
+    fn rates(&self, y: &[f64; 13], dy: &[f64; 13]) -> Rates {
+        let unit_rate = |at: usize| vector(dy, at) / vector(y, at).norm();
+        Rates {
+            midpoint: vector(dy, MIDPOINT),
+            line: unit_rate(LINE),
+            ln_gap: dy[SPATIAL_LN_GAP],
+            orientations: ORIENTATION.map(unit_rate),
+        }
     }
 
     #[inline]

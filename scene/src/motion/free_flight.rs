@@ -6,8 +6,8 @@
 
 use nalgebra::Vector3;
 
-use super::coordinates::{Configuration, unwind};
-use crate::{Gap, Gravity, Scene, Squirmer};
+use super::configuration::{Configuration, unwind};
+use crate::{Gap, Gravity, SceneError, Squirmer};
 
 /// One squirmer's free flight from time 0.
 #[derive(Clone, Copy, Debug)]
@@ -134,17 +134,14 @@ pub(crate) struct PairFlight {
 }
 
 impl PairFlight {
-    pub(crate) fn new(scene: &Scene, start: Configuration) -> Self {
+    pub(crate) fn new(
+        squirmers: &[Squirmer; 2],
+        gravity: Option<Gravity>,
+        start: Configuration,
+    ) -> Self {
         let positions = start.positions();
-        let gravity = scene.acting_gravity();
-        let flights = [0, 1].map(|k| {
-            Flight::new(
-                &scene.squirmers[k],
-                positions[k],
-                start.orientations[k],
-                gravity,
-            )
-        });
+        let flights = [0, 1]
+            .map(|k| Flight::new(&squirmers[k], positions[k], start.orientations[k], gravity));
         Self { start, flights }
     }
 
@@ -204,7 +201,16 @@ impl PairFlight {
     /// and its first root is never past the contact. On straight paths this is Newton's method on
     /// a convex function. A pair on curved paths that creeps along at the distance of contact, as
     /// two that swim upward side by side, is in contact when it closes in in earnest.
-    pub(crate) fn contact(&self, contact: f64, duration: f64) -> Option<f64> {
+    ///
+    /// # Errors
+    /// [`SceneError::Stepper`] if `most` advances do not settle it: gravity that turns squirmers by far
+    /// faster than they swim.
+    pub(crate) fn contact(
+        &self,
+        contact: f64,
+        duration: f64,
+        most: usize,
+    ) -> Result<Option<f64>, SceneError> {
         /// Closing speed, in `V_s`, below which a pair on curved paths creeps.
         const CREEPING: f64 = 1e-6;
         /// Longest advance of a creeping pair, which goes deeper by `CREEPING` times this at most.
@@ -217,7 +223,10 @@ impl PairFlight {
             CREEPING * fastest
         };
         let mut t = 0.0;
-        while t <= duration {
+        for _ in 0..most {
+            if t > duration {
+                return Ok(None);
+            }
             let (distance, rate) = self.distance(t);
             let left = (distance - contact).max(0.0);
             let root = (rate * rate + 2.0 * acceleration * left).sqrt();
@@ -228,20 +237,20 @@ impl PairFlight {
             } else if rate < 0.0 || acceleration > 0.0 {
                 0.0
             } else {
-                return None;
+                return Ok(None);
             };
             // A step that no longer changes the time has as good as arrived.
             let least = 1e-13 * (1.0 + t);
             let arrived = left <= 4.0 * f64::EPSILON * contact || advance < least;
             if arrived && rate < -creeping {
-                return (t <= 0.0 || !self.grazes(rate)).then_some(t);
+                return Ok((t <= 0.0 || !self.grazes(rate)).then_some(t));
             }
             // Righted as good as they will be, they go no deeper than creeping would take them.
             let [one, two] = &self.flights;
             let drift = (one.speed - two.speed).abs() * (duration - t);
             let closing = one.strays(t) + two.strays(t) + drift;
             if !advance.is_finite() || closing < left + creeping * LONGEST_CREEP {
-                return None;
+                return Ok(None);
             }
             let creep = if arrived {
                 let bend: f64 = self.flights.iter().map(|f| f.acceleration_at(t)).sum();
@@ -251,7 +260,9 @@ impl PairFlight {
             };
             t += advance.max(least).max(creep);
         }
-        None
+        Err(SceneError::Stepper {
+            reason: format!("{most} advances of a free flight end {t} after its start"),
+        })
     }
 
     /// Time within `duration` at which the two are nearest.
@@ -337,7 +348,9 @@ mod tests {
                 line_angle: 0.0,
                 angles: [0.0; 2],
             };
-            PairFlight { start, flights }.contact(3.0, 100.0)
+            PairFlight { start, flights }
+                .contact(3.0, 100.0, 1000)
+                .unwrap()
         };
         assert_eq!(meet(3.0), None);
         let time = meet(3.0 - 1e-9).unwrap();
@@ -361,7 +374,8 @@ mod tests {
             line_angle: 0.0,
             angles: [0.0; 2],
         };
-        assert_eq!(PairFlight { start, flights }.contact(3.0, 200.0), None);
+        let flight = PairFlight { start, flights };
+        assert_eq!(flight.contact(3.0, 200.0, 1_000_000), Ok(None));
     }
 
     #[test]

@@ -1,15 +1,23 @@
 //! The motion of a pair: from a scene and a hydrodynamic model to a trajectory and its outcome.
 
 mod bound;
+mod configuration;
 mod coordinates;
+mod dispatch;
 mod equations;
 mod free_flight;
 mod outcome;
+mod rates;
+mod result;
 mod run;
 mod steady;
 mod swirling;
+mod symmetric;
 
 pub use bound::{BoundState, bound_states};
-pub use coordinates::Configuration;
+pub(crate) use configuration::start;
+pub use configuration::{Configuration, Rates};
 pub use outcome::Outcome;
-pub use run::{Counters, Run, RunOptions, Sample, run};
+pub use rates::rates;
+pub use result::{Counters, Run, RunOptions, Sample};
+pub use run::{run, run_observed, run_plan};

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::coordinates::Configuration;
+use super::configuration::Configuration;
 use crate::Gravity;
 
 /// Outcome of an encounter, after the paper's Fig. 1(c), and under gravity after its Fig. 8.
@@ -28,11 +28,13 @@ pub enum Outcome {
     Oscillating,
     /// Under gravity: bound, the pair swimming downward at the end.
     Downward,
+    /// The spheres touch: nothing keeps them apart.
+    Contact,
 }
 
 impl Outcome {
     /// All outcomes.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Scattered,
         Self::Standoff,
         Self::Pairwise,
@@ -42,6 +44,7 @@ impl Outcome {
         Self::Upward,
         Self::Oscillating,
         Self::Downward,
+        Self::Contact,
     ];
 }
 
@@ -57,6 +60,7 @@ impl fmt::Display for Outcome {
             Self::Upward => "upward",
             Self::Oscillating => "oscillating",
             Self::Downward => "downward",
+            Self::Contact => "contact",
         })
     }
 }

@@ -5,97 +5,17 @@
 //! without a cut is one integration. Departure, the crossing of `eps = 1` and the smallest gap are
 //! located, not stepped over.
 
-use super::coordinates::{Configuration, Coordinates, Planar, Spatial};
-use super::equations::{Absent, Effect, PairMotion, Present};
+use super::configuration::Configuration;
+use super::coordinates::Coordinates;
+use super::dispatch::{Task, dispatch};
+use super::equations::{Effect, PairMotion};
 use super::free_flight::PairFlight;
 use super::outcome::{GapHistory, LineHistory, Outcome, judge_bound, judge_steady};
 use super::outcome::{judge_under_gravity, points_upward};
+use super::result::{Counters, Run, RunOptions, Sample};
 use super::steady::{Attempts, steady_state};
-use super::swirling::Swirl;
 use crate::ode::{Dense, Direction, OdeError, Step, Stepper, first_crossing, first_minimum};
-use crate::{Gap, Gravity, Hydrodynamics, Repulsion, Scene, SceneError};
-
-/// How to run a scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RunOptions {
-    /// Tolerance of the stepper per step, absolute and relative, in radii and radians.
-    pub tolerance: f64,
-    /// Time at which a run ends at the latest, in units of `a/V_s`.
-    pub end_time: f64,
-    /// Distance of the centres, in radii, at which a receding pair has parted, where the model has
-    /// no cut and gravity does not act.
-    pub departure_distance: f64,
-    /// Time between recorded samples; none are recorded without it.
-    pub sample_interval: Option<f64>,
-    /// Steps, accepted and rejected, after which a run is given up.
-    pub max_steps: usize,
-}
-
-impl Default for RunOptions {
-    fn default() -> Self {
-        Self {
-            tolerance: 1e-8,
-            end_time: 200.0,
-            departure_distance: 12.0,
-            sample_interval: None,
-            max_steps: 1_000_000,
-        }
-    }
-}
-
-/// A configuration on the way.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
-    /// Time, in units of `a/V_s`.
-    pub t: f64,
-    /// The pair at that time.
-    pub configuration: Configuration,
-}
-
-/// What a run cost.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counters {
-    /// Accepted steps.
-    pub steps: u64,
-    /// Rejected steps.
-    pub rejected: u64,
-    /// Loads asked of the model, one for each right-hand side.
-    pub loads: u64,
-    /// Free flights jumped over in closed form.
-    pub flights: u64,
-}
-
-/// A run from start to end.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Run {
-    /// The start.
-    pub start: Configuration,
-    /// The end.
-    pub end: Configuration,
-    /// Time at the end.
-    pub end_time: f64,
-    /// Smallest gap on the way, in radii.
-    pub min_gap: f64,
-    /// Time spent at gaps `eps <= 1`: the paper's duration of the interaction, tau.
-    pub contact_time: f64,
-    /// What became of the pair.
-    pub outcome: Outcome,
-    /// Time from which on the pair was in a steady bound state, and the rest known in closed form.
-    pub settled: Option<f64>,
-    /// What it cost.
-    pub counters: Counters,
-    /// Samples at multiples of the sample interval, with start, end and changes of phase.
-    pub samples: Vec<Sample>,
-}
-
-impl Run {
-    /// Outgoing minus incoming angle of each squirmer's orientation, projected on the x-y plane,
-    /// in radians, anticlockwise positive; it winds.
-    #[must_use]
-    pub fn deflections(&self) -> [f64; 2] {
-        [0, 1].map(|k| self.end.angles[k] - self.start.angles[k])
-    }
-}
+use crate::{Gap, Gravity, Hydrodynamics, Plan, Repulsion, Scene, SceneError};
 
 /// Gap up to which the paper counts the time of an interaction.
 const CONTACT_GAP: f64 = 1.0;
@@ -105,6 +25,10 @@ const WATCHED_FROM: f64 = 0.75;
 
 /// Alternations of flight and contact after which a run is given up.
 const MAX_PHASES: usize = 100_000;
+
+/// Gap at which spheres that nothing keeps apart are in contact. Without repulsion lubrication theory
+/// closes it as `exp(-exp(t))`: they never touch, but come this close in a finite time.
+const TOUCHING_GAP: f64 = 1e-300;
 
 /// Runs `scene` under the hydrodynamics of `model`.
 ///
@@ -116,85 +40,86 @@ pub fn run<H: Hydrodynamics + ?Sized>(
     model: &H,
     options: &RunOptions,
 ) -> Result<Run, SceneError> {
-    if scene.is_planar() {
-        let plane = Planar {
-            z: scene.start[0].position.z,
-        };
-        with_repulsion(scene, model, options, plane)
-    } else if scene.acting_swirl() == 0 {
-        with_repulsion(scene, model, options, Spatial { swirl: Absent })
-    } else {
-        let swirl = Present(Swirl);
-        with_repulsion(scene, model, options, Spatial { swirl })
-    }
+    run_plan(&Plan::new(scene)?, model, options)
 }
 
-fn with_repulsion<H: Hydrodynamics + ?Sized, C: Coordinates<N>, const N: usize>(
-    scene: &Scene,
+/// Runs a plan under the hydrodynamics of `model`.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_plan<H: Hydrodynamics + ?Sized>(
+    plan: &Plan,
     model: &H,
     options: &RunOptions,
-    coordinates: C,
 ) -> Result<Run, SceneError> {
-    match scene.repulsion {
-        Some(repulsion) => with_gravity(scene, model, options, coordinates, Present(repulsion)),
-        None => with_gravity(scene, model, options, coordinates, Absent),
-    }
+    let mut samples = Vec::new();
+    let run = run_observed(plan, model, options, &mut |sample| samples.push(*sample))?;
+    Ok(Run { samples, ..run })
 }
 
-fn with_gravity<H, C, R, const N: usize>(
-    scene: &Scene,
+/// Runs a plan and hands over its samples as they come; the result holds none.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_observed<H: Hydrodynamics + ?Sized>(
+    plan: &Plan,
     model: &H,
     options: &RunOptions,
-    coordinates: C,
-    repulsion: R,
-) -> Result<Run, SceneError>
-where
-    H: Hydrodynamics + ?Sized,
-    C: Coordinates<N>,
-    R: Effect<Repulsion>,
-{
-    match scene.acting_gravity() {
-        Some(g) => Runner::new(scene, model, options, coordinates, repulsion, Present(g))?.run(),
-        None => Runner::new(scene, model, options, coordinates, repulsion, Absent)?.run(),
-    }
+    observe: &mut dyn FnMut(&Sample),
+) -> Result<Run, SceneError> {
+    options.check()?;
+    dispatch(plan, model, Observed { options, observe })
 }
 
-/// The configuration in which a scene starts.
-fn start(scene: &Scene) -> Result<Configuration, SceneError> {
-    let [one, two] = &scene.start;
-    let separation = two.position - one.position;
-    let line = separation / separation.norm();
-    Ok(Configuration {
-        gap: scene.gap()?,
-        midpoint: (one.position + two.position) * 0.5,
-        line,
-        orientations: [one.orientation.vector()?, two.orientation.vector()?],
-        line_angle: line.y.atan2(line.x),
-        angles: [one.orientation.angle(), two.orientation.angle()],
-    })
+/// The task of running a plan.
+struct Observed<'a, 'b> {
+    options: &'a RunOptions,
+    observe: &'a mut (dyn FnMut(&Sample) + 'b),
+}
+
+impl Task for Observed<'_, '_> {
+    type Output = Result<Run, SceneError>;
+
+    fn perform<H, C, R, G, const N: usize>(
+        self,
+        plan: &Plan,
+        motion: PairMotion<'_, H, C, R, G>,
+    ) -> Self::Output
+    where
+        H: Hydrodynamics + ?Sized,
+        C: Coordinates<N>,
+        R: Effect<Repulsion>,
+        G: Effect<Gravity>,
+    {
+        Runner::new(plan, motion, self).run()
+    }
 }
 
 /// Why an integrated phase ended.
 enum PhaseEnd {
     /// The pair receded through the gap at which it parts (the cut, or the departure distance).
     Parted,
+    /// The spheres touch.
+    Touched,
     /// The pair settled in a steady state, carried on to the end time.
     Steady(Outcome),
     /// Time is up.
     Time,
 }
 
-struct Runner<'a, H: ?Sized, C, R, G, const N: usize> {
-    scene: &'a Scene,
+struct Runner<'a, 'b, H: ?Sized, C, R, G, const N: usize> {
+    plan: &'a Plan,
     options: &'a RunOptions,
     motion: PairMotion<'a, H, C, R, G>,
+    observe: &'a mut (dyn FnMut(&Sample) + 'b),
     start: Configuration,
     t: f64,
     now: Configuration,
     min_gap: f64,
     contact_time: f64,
     counters: Counters,
-    samples: Vec<Sample>,
+    /// Time of the last sample.
+    observed: Option<f64>,
     /// Samples taken so far at multiples of the interval.
     sampled: u64,
     /// The first configuration in the watched part of the run, and the gaps since.
@@ -204,61 +129,37 @@ struct Runner<'a, H: ?Sized, C, R, G, const N: usize> {
     settled: Option<f64>,
 }
 
-impl<'a, H, C, R, G, const N: usize> Runner<'a, H, C, R, G, N>
+impl<'a, 'b, H, C, R, G, const N: usize> Runner<'a, 'b, H, C, R, G, N>
 where
     H: Hydrodynamics + ?Sized,
     C: Coordinates<N>,
     R: Effect<Repulsion>,
     G: Effect<Gravity>,
 {
-    fn new(
-        scene: &'a Scene,
-        model: &'a H,
-        options: &'a RunOptions,
-        coordinates: C,
-        repulsion: R,
-        gravity: G,
-    ) -> Result<Self, SceneError> {
-        for (what, value) in [
-            ("tolerance", options.tolerance),
-            ("end time", options.end_time),
-            ("sample interval", options.sample_interval.unwrap_or(1.0)),
-        ] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(SceneError::NotPositive { what, value });
-            }
-        }
-        let start = start(scene)?;
-        Ok(Self {
-            scene,
-            options,
-            motion: PairMotion {
-                model,
-                coordinates,
-                squirmers: scene.squirmers,
-                set: scene.load_set(),
-                repulsion,
-                gravity,
-                failure: None,
-                loads: 0,
-            },
+    fn new(plan: &'a Plan, motion: PairMotion<'a, H, C, R, G>, task: Observed<'a, 'b>) -> Self {
+        let start = motion.coordinates.restored(*plan.start());
+        Self {
+            plan,
+            options: task.options,
+            motion,
+            observe: task.observe,
             start,
             t: 0.0,
             now: start,
             min_gap: start.gap.eps(),
             contact_time: 0.0,
             counters: Counters::default(),
-            samples: Vec::new(),
+            observed: None,
             sampled: 0,
             watched: None,
             line: None,
             settled: None,
-        })
+        }
     }
 
     fn run(mut self) -> Result<Run, SceneError> {
         self.record_start();
-        let outcome = match self.motion.model.cutoff() {
+        let outcome = match self.plan.free_flight_beyond(self.motion.model) {
             Some(cutoff) => self.run_with_cutoff(cutoff)?,
             None => self.run_without_cutoff()?,
         };
@@ -273,7 +174,7 @@ where
             outcome,
             settled: self.settled,
             counters: self.counters,
-            samples: self.samples,
+            samples: Vec::new(),
         })
     }
 
@@ -285,17 +186,19 @@ where
         };
         match self.integrate(departure)? {
             PhaseEnd::Parted => Ok(Outcome::Scattered),
+            PhaseEnd::Touched => Ok(Outcome::Contact),
             PhaseEnd::Steady(outcome) => Ok(outcome),
             PhaseEnd::Time => Ok(self.judge_bound()),
         }
     }
 
     fn run_with_cutoff(&mut self, cutoff: f64) -> Result<Outcome, SceneError> {
-        let cut = Gap::new(cutoff)?;
+        let cut = Gap::from_ln(cutoff.ln());
         let mut free = self.now.gap.eps() >= cutoff;
-        for _ in 0..MAX_PHASES {
+        for _ in 0..MAX_PHASES.min(self.options.max_steps) {
             if free {
-                match self.fly(cut) {
+                match self.fly(cut)? {
+                    Flown::Contact if cut.eps() <= 0.0 => return Ok(Outcome::Contact),
                     Flown::Contact => free = false,
                     Flown::Parted => return Ok(Outcome::Scattered),
                     Flown::Time => return Ok(self.judge_free()),
@@ -303,6 +206,7 @@ where
             } else {
                 match self.integrate(Some(cut))? {
                     PhaseEnd::Parted => free = true,
+                    PhaseEnd::Touched => return Ok(Outcome::Contact),
                     PhaseEnd::Steady(outcome) => return Ok(outcome),
                     PhaseEnd::Time => return Ok(self.judge_bound()),
                 }
@@ -327,7 +231,7 @@ where
         let Some((watched, gaps)) = &self.watched else {
             return Outcome::Undecided;
         };
-        let speed = (self.scene.squirmers.iter())
+        let speed = (self.plan.scene().squirmers.iter())
             .map(|s| s.swimming_speed().abs())
             .fold(0.0, f64::max);
         let (earlier, duration) = (&watched.configuration, self.t - watched.t);
@@ -341,11 +245,14 @@ where
     }
 
     /// Flies freely to the next contact at the gap `cut`, or to the end.
-    fn fly(&mut self, cut: Gap) -> Flown {
+    fn fly(&mut self, cut: Gap) -> Result<Flown, SceneError> {
         self.counters.flights += 1;
-        let flight = PairFlight::new(self.scene, self.now);
+        let squirmers = &self.motion.squirmers;
+        let flight = PairFlight::new(squirmers, self.motion.gravity.get(), self.now);
+        let coordinates = self.motion.coordinates;
+        let flown = |t: f64| coordinates.restored(flight.at(t));
         let left = self.options.end_time - self.t;
-        let contact = flight.contact(cut.distance(), left);
+        let contact = flight.contact(cut.distance(), left, self.options.max_steps)?;
         let nearest = flight.closest_approach(contact.unwrap_or(left));
         self.min_gap = self.min_gap.min(flight.distance(nearest).0 - 2.0);
         // A straight pair that misses has parted when it begins to recede.
@@ -353,16 +260,16 @@ where
         let duration = contact.unwrap_or(if parted { nearest } else { left });
         let end = self.t + duration;
         let from = self.t;
-        self.record_between(end, |t| flight.at(t - from));
+        self.record_between(end, |t| flown(t - from));
         if !flight.is_straight() {
             self.watch_flight(&flight, duration);
         }
         if contact != Some(0.0) {
-            self.now = flight.at(duration);
+            self.now = flown(duration);
         }
         self.t = end;
         self.watch();
-        if contact.is_some() {
+        Ok(if contact.is_some() {
             self.now.gap = cut;
             self.min_gap = self.min_gap.min(cut.eps());
             Flown::Contact
@@ -370,7 +277,7 @@ where
             Flown::Parted
         } else {
             Flown::Time
-        }
+        })
     }
 
     /// Integrates until the pair recedes through `parting`, or to the end time.
@@ -382,28 +289,29 @@ where
         let y = self.motion.coordinates.encode(&self.now);
         let tolerance = self.options.tolerance;
         let stepper = Stepper::new(&mut self.motion, self.t, y, tolerance, end_time);
+        let taken = (self.counters.steps + self.counters.rejected) as usize;
         let mut stepper = stepper
             .map_err(|error| self.failure(error))?
-            .with_max_steps(self.options.max_steps);
+            .with_max_steps(self.options.max_steps.saturating_sub(taken));
         let beyond = |ln_gap: f64| parting.is_some_and(|parting| ln_gap >= parting.ln());
-        let mut ended = beyond(y[C::LN_GAP]) && stepper.dy()[C::LN_GAP] >= 0.0;
-        let mut end = PhaseEnd::Parted;
+        if beyond(y[C::LN_GAP]) && stepper.dy()[C::LN_GAP] >= 0.0 {
+            return Ok(PhaseEnd::Parted);
+        }
         let mut attempts = Attempts::new(tolerance);
-        while !ended {
+        let end = loop {
             let step = stepper.step(&mut self.motion, end_time);
             let step = step.map_err(|error| self.failure(error))?;
-            ended = self
-                .follow(&step, parting)
-                .map_err(|error| self.failure(error))?;
-            if !ended && self.t >= end_time {
-                ended = true;
-                end = PhaseEnd::Time;
+            let ended = self.follow(&step, parting);
+            if let Some(end) = ended.map_err(|error| self.failure(error))? {
+                break end;
             }
-            if !ended && let Some(outcome) = self.settle(&step, &mut attempts) {
-                ended = true;
-                end = PhaseEnd::Steady(outcome);
+            if self.t >= end_time {
+                break PhaseEnd::Time;
             }
-        }
+            if let Some(outcome) = self.settle(&step, &mut attempts) {
+                break PhaseEnd::Steady(outcome);
+            }
+        };
         self.counters.steps += stepper.accepted() as u64;
         self.counters.rejected += stepper.rejected() as u64;
         Ok(end)
@@ -463,23 +371,34 @@ where
         Some(judge_steady(&earlier, &end, left))
     }
 
-    /// Takes in one step: up to the parting if that lies in it, and then says so.
-    fn follow(&mut self, step: &Step<N>, parting: Option<Gap>) -> Result<bool, OdeError> {
+    /// Takes in one step: up to the parting or touching if that lies in it, and then says so.
+    fn follow(
+        &mut self,
+        step: &Step<N>,
+        parting: Option<Gap>,
+    ) -> Result<Option<PhaseEnd>, OdeError> {
         let of = C::LN_GAP;
         let turns = step.dy0[of] < 0.0 && step.dy1[of] >= 0.0;
         let crosses = |level: f64| (step.y0[of] <= level) != (step.y1[of] <= level);
         let contact = CONTACT_GAP.ln();
         let parts = parting.is_some_and(|gap| step.y1[of] >= gap.ln());
+        let touching = Gap::from_ln(TOUCHING_GAP.ln());
+        let touches = step.y1[of] <= touching.ln();
         let samples = (self.options.sample_interval)
             .is_some_and(|interval| self.next_sample(interval) <= step.t1);
-        let dense = if turns || crosses(contact) || parts || samples {
+        let dense = if turns || crosses(contact) || parts || touches || samples {
             Some(step.dense(&mut self.motion)?)
         } else {
             None
         };
-        let ends_at = match (&dense, parting) {
-            (Some(dense), Some(gap)) if parts => {
-                first_crossing(dense, |_, y| y[of] - gap.ln(), Direction::Rising, 0.0)
+        let event = match parting {
+            Some(gap) if parts => Some((gap, Direction::Rising, PhaseEnd::Parted)),
+            _ if touches => Some((touching, Direction::Falling, PhaseEnd::Touched)),
+            _ => None,
+        };
+        let ends_at = match (&dense, &event) {
+            (Some(dense), Some((gap, direction, _))) => {
+                first_crossing(dense, |_, y| y[of] - gap.ln(), *direction, 0.0)
             }
             _ => None,
         };
@@ -494,15 +413,16 @@ where
             self.record_between(t, |t| coordinates.decode(&dense.at(t), &previous));
         }
         self.now = coordinates.decode(&y, &previous);
-        if let (Some(_), Some(gap)) = (ends_at, parting) {
+        let end = event.filter(|_| ends_at.is_some()).map(|(gap, _, end)| {
             self.now.gap = gap;
-        }
+            end
+        });
         self.t = t;
         if let Some((_, gaps)) = self.watched.as_mut().filter(|_| turns) {
             gaps.minima += 1;
         }
         self.watch();
-        Ok(ends_at.is_some())
+        Ok(end)
     }
 
     /// Smallest gap and time in contact over a step, up to `(t, y)`.
@@ -548,7 +468,7 @@ where
     }
 
     fn record_start(&mut self) {
-        self.record(0.0, self.start);
+        self.record(0.0, self.now);
     }
 
     /// Records the configurations at multiples of the sample interval up to the time `end`.
@@ -564,9 +484,10 @@ where
     }
 
     fn record(&mut self, t: f64, configuration: Configuration) {
-        let repeats = self.samples.last().is_some_and(|last| last.t >= t);
+        let repeats = self.observed.is_some_and(|last| last >= t);
         if self.options.sample_interval.is_some() && !repeats {
-            self.samples.push(Sample { t, configuration });
+            self.observed = Some(t);
+            (self.observe)(&Sample { t, configuration });
         }
     }
 }

@@ -66,19 +66,19 @@ impl Attempts {
     }
 }
 
-/// The variables that are a system of their own, and the angle of the line of centres, whose rate
-/// of change depends on them.
+/// The variables that are a system of their own, and the one that they drive.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relative {
-    /// Indices of `ln eps` and the two orientations.
-    pub variables: [usize; 3],
-    /// Index of the angle of the line of centres.
-    pub turning: usize,
+    /// Indices of `ln eps` and the orientations, three at most.
+    pub variables: &'static [usize],
+    /// Index of the variable whose rate of change depends on them: the angle of the line of centres, or
+    /// the position along a line that the pair keeps to.
+    pub driven: usize,
 }
 
 /// Looks for a fixed point from which nothing grows near the state `y` whose derivative is `dy`;
-/// returns the state there and its derivative. The line of centres is turned on by what it still
-/// turns ahead while the rest decays, to first order.
+/// returns the state there and its derivative. The driven variable is put ahead by what it still
+/// gains while the rest decays, to first order.
 ///
 /// After an attempt that found none the next is made when the rate of change has fallen tenfold.
 pub(crate) fn steady_state<S: System<N>, const N: usize>(
@@ -89,7 +89,7 @@ pub(crate) fn steady_state<S: System<N>, const N: usize>(
     attempts: &mut Attempts,
 ) -> Option<([f64; N], [f64; N])> {
     let of = relative.variables;
-    let rate = |dy: &[f64; N]| of.map(|i| dy[i].abs()).into_iter().fold(0.0, f64::max);
+    let rate = |dy: &[f64; N]| of.iter().map(|&i| dy[i].abs()).fold(0.0, f64::max);
     if rate(dy) >= attempts.below {
         return None;
     }
@@ -100,8 +100,8 @@ pub(crate) fn steady_state<S: System<N>, const N: usize>(
     let jacobian = gradients.fixed_rows::<3>(0).into_owned();
     if holds(&jacobian, -DECAY) {
         // What decays as exp(J t) from its start adds up to -J^-1 of the start.
-        let away = Vector3::from(of.map(|i| start[i] - y[i]));
-        y[relative.turning] -= (gradients.row(3) * jacobian.lu().solve(&away)?)[0];
+        let away = relative.vector(|i| start[i] - y[i]);
+        y[relative.driven] -= (gradients.row(3) * jacobian.lu().solve(&away)?)[0];
         return Some((y, dy));
     }
     (marginal && holds(&jacobian, GROWTH)).then_some((y, dy))
@@ -138,13 +138,13 @@ pub(super) fn fixed_point<S: System<N>, const N: usize>(
             return Some((y, dy, gradients));
         }
         let jacobian = gradients.fixed_rows::<3>(0).into_owned();
-        let step = jacobian.lu().solve(&Vector3::from(of.map(|i| dy[i])))?;
+        let step = jacobian.lu().solve(&relative.vector(|i| dy[i]))?;
         let cut = (newton.longest / step.amax()).min(1.0);
-        for (k, i) in of.into_iter().enumerate() {
+        for (k, &i) in of.iter().enumerate() {
             y[i] -= cut * step[k];
         }
-        let moved = of.map(|i| (y[i] - start[i]).abs());
-        if moved.into_iter().any(|m| m.is_nan() || m > newton.nearby) {
+        let mut moved = of.iter().map(|&i| (y[i] - start[i]).abs());
+        if moved.any(|m| m.is_nan() || m > newton.nearby) {
             return None;
         }
         dy = system.rhs(t, &y);
@@ -153,27 +153,42 @@ pub(super) fn fixed_point<S: System<N>, const N: usize>(
 }
 
 /// Gradients of the rates of the relative variables (the Jacobian, in the first three rows) and of
-/// the rate of turning, by central differences.
+/// the rate of the driven variable (in the last), by central differences.
 fn gradients<S: System<N>, const N: usize>(
     system: &mut S,
     t: f64,
     y: &[f64; N],
     relative: Relative,
 ) -> Matrix4x3<f64> {
-    let [a, b, c] = relative.variables;
+    // Variables that are not there decay by themselves: they change nothing for the others.
     let mut matrix = Matrix4x3::zeros();
-    for (column, j) in [a, b, c].into_iter().enumerate() {
+    for missing in relative.variables.len()..3 {
+        matrix[(missing, missing)] = -1.0;
+    }
+    for (column, &j) in relative.variables.iter().enumerate() {
         let mut at = |offset: f64| {
             let mut y = *y;
             y[j] += offset;
             system.rhs(t, &y)
         };
         let (above, below) = (at(DIFFERENCE), at(-DIFFERENCE));
-        for (row, i) in [a, b, c, relative.turning].into_iter().enumerate() {
+        let rows = relative.variables.iter().enumerate();
+        for (row, &i) in rows.chain([(3, &relative.driven)]) {
             matrix[(row, column)] = (above[i] - below[i]) / (2.0 * DIFFERENCE);
         }
     }
     matrix
+}
+
+impl Relative {
+    /// The values of the variables; zero for those that are not there.
+    fn vector(&self, value: impl Fn(usize) -> f64) -> Vector3<f64> {
+        let mut vector = Vector3::zeros();
+        for (slot, &i) in vector.iter_mut().zip(self.variables) {
+            *slot = value(i);
+        }
+        vector
+    }
 }
 
 /// Whether all eigenvalues have real parts below `growth`: Routh and Hurwitz's criterion for the
@@ -202,8 +217,8 @@ mod tests {
         let y = [start, -start, start, 0.0];
         let dy = system.rhs(0.0, &y);
         let relative = Relative {
-            variables: [0, 1, 2],
-            turning: 3,
+            variables: &[0, 1, 2],
+            driven: 3,
         };
         let mut attempts = Attempts::new(1e-8);
         let (y, _) = steady_state(&mut system, 0.0, (&y, &dy), relative, &mut attempts)?;

@@ -1,0 +1,248 @@
+//! `squirmers run` and `squirmers explain`: one scene from its file.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::Args;
+use scene::{Plan, Run, State};
+use serde::Serialize;
+
+use super::args::Arguments;
+use super::commands::print_rows;
+use crate::output::OutputFolder;
+use crate::scene_run::{self, SampleRow, Summary};
+use crate::{CompareError, Model, ModelOptions, SceneFile};
+
+/// Right-hand sides over which a time is taken, and how often it is taken: the shortest counts, for
+/// everything else that the machine does only adds to it.
+const REPEATS: usize = 2000;
+const TAKES: usize = 15;
+
+/// The same where every load is solved for.
+const DIRECT_REPEATS: usize = 1;
+const DIRECT_TAKES: usize = 2;
+
+#[derive(Debug, Args)]
+pub(crate) struct RunArguments {
+    /// Scene file (docs/SCENES.md lists its keys)
+    #[arg(value_name = "SCENE.toml")]
+    file: PathBuf,
+    /// Print the summary as one JSON object, and nothing else, on standard output
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ExplainArguments {
+    /// Scene file (docs/SCENES.md lists its keys)
+    #[arg(value_name = "SCENE.toml")]
+    file: PathBuf,
+}
+
+fn read(path: &Path) -> Result<SceneFile, CompareError> {
+    let text = std::fs::read_to_string(path).map_err(|source| CompareError::Read {
+        path: path.to_owned(),
+        source,
+    })?;
+    SceneFile::parse(&text).map_err(|mistakes| CompareError::SceneFile {
+        path: path.to_owned(),
+        mistakes,
+    })
+}
+
+fn set_up(file: &SceneFile, plan: &Plan, general: &Arguments) -> Result<Model, CompareError> {
+    let mut options = ModelOptions::default();
+    if let Some(cache) = &general.cache {
+        options.cache = Some(cache.clone());
+    }
+    Model::set_up(file.method, &file.model_options(plan, options))
+}
+
+pub(super) fn run(arguments: &RunArguments, general: &Arguments) -> Result<(), CompareError> {
+    let file = read(&arguments.file)?;
+    let out = OutputFolder::open(&general.out)?;
+    let plan = Plan::new(&file.scene)?;
+    let model = set_up(&file, &plan, general)?;
+    let started = Instant::now();
+    let (run, rows) = scene_run::stream(&model, &plan, &file.run, &out)?;
+    let seconds = started.elapsed().as_secs_f64();
+    let svg = crate::figures::scene_run(&file.scene, &rows, plan.state() == State::Spatial)?;
+    out.write("run.svg", &svg)?;
+    let summary = Summary::new(&run, &plan, file.method, seconds);
+    let json = summary.json()?;
+    out.write("run.json", &json)?;
+    if arguments.json {
+        println!("{json}");
+    } else {
+        print_summary(&summary, &run, &rows);
+    }
+    Ok(())
+}
+
+fn print_summary(summary: &Summary, run: &Run, rows: &[SampleRow]) {
+    let mut lines = vec![
+        ["outcome".to_owned(), summary.outcome.clone()],
+        [
+            "end time [a/V_s]".to_owned(),
+            format!("{}", summary.end_time),
+        ],
+        [
+            "smallest gap [a]".to_owned(),
+            format!("{:e}", summary.min_gap),
+        ],
+        [
+            "time at gaps up to 1".to_owned(),
+            format!("{:.6}", summary.contact_time),
+        ],
+        [
+            "deflection 1 [deg]".to_owned(),
+            format!("{:.6}", summary.deflection1_deg),
+        ],
+        [
+            "deflection 2 [deg]".to_owned(),
+            format!("{:.6}", summary.deflection2_deg),
+        ],
+        ["method".to_owned(), summary.method.to_owned()],
+        [
+            "state".to_owned(),
+            format!("{}, {} numbers", summary.state, summary.numbers),
+        ],
+        [
+            "steps".to_owned(),
+            format!("{} ({} rejected)", summary.steps, summary.rejected),
+        ],
+        ["loads".to_owned(), format!("{}", summary.loads)],
+        ["free flights".to_owned(), format!("{}", summary.flights)],
+        ["samples".to_owned(), format!("{}", rows.len())],
+    ];
+    if let Some(settled) = run.settled {
+        lines.push(["steady from t =".to_owned(), format!("{settled:.4}")]);
+    }
+    print_rows(&["", ""], lines.into_iter().map(Vec::from));
+}
+
+#[derive(Serialize)]
+struct PlanLine {
+    effect: &'static str,
+    runs: &'static str,
+    share: String,
+    reason: String,
+}
+
+pub(super) fn explain(
+    arguments: &ExplainArguments,
+    general: &Arguments,
+) -> Result<(), CompareError> {
+    let file = read(&arguments.file)?;
+    let plan = Plan::new(&file.scene)?;
+    let model = set_up(&file, &plan, general)?;
+    let clock = Clock::new(&model, &plan)?;
+    let lines: Vec<_> = (model.explain(&plan).into_iter())
+        .map(|row| {
+            let share = clock.share(row.effect, row.runs)?;
+            Ok(PlanLine {
+                effect: row.effect,
+                runs: if row.runs { "yes" } else { "no" },
+                share: share.map_or("-".to_owned(), |share| format!("{:.0} %", 100.0 * share)),
+                reason: row.reason,
+            })
+        })
+        .collect::<Result<_, CompareError>>()?;
+    let needed = plan.needed_loads();
+    let classes: Vec<_> = (needed.symmetry_classes().iter())
+        .map(ToString::to_string)
+        .collect();
+    println!("hydrodynamics   {}", file.method.title());
+    println!(
+        "state           {}: {} numbers ({})",
+        plan.state(),
+        plan.state().numbers(),
+        plan.state().variables()
+    );
+    println!("loads           {}", needed.names().join("; "));
+    println!(
+        "symmetry classes of boundary elements   {}",
+        classes.join(", ")
+    );
+    println!();
+    let header = ["effect", "runs", "share of cost", "why"];
+    let mut table = comfy_table::Table::new();
+    table
+        .load_preset(comfy_table::presets::NOTHING)
+        .set_header(header);
+    table.add_rows(lines.into_iter().map(|line| {
+        [
+            line.effect.to_owned(),
+            line.runs.to_owned(),
+            line.share,
+            line.reason,
+        ]
+    }));
+    println!("{table}");
+    println!();
+    println!(
+        "One right-hand side takes {:.3} µs at the start. Shares are measured now, on this machine: its time with \
+         the effect and without. That of a symmetry is negative: what it saves.",
+        1e6 * clock.whole
+    );
+    Ok(())
+}
+
+/// Times of right-hand sides at the start of a plan.
+struct Clock<'a> {
+    model: &'a Model,
+    plan: &'a Plan,
+    whole: f64,
+}
+
+impl<'a> Clock<'a> {
+    fn new(model: &'a Model, plan: &'a Plan) -> Result<Self, CompareError> {
+        let mut clock = Self {
+            model,
+            plan,
+            whole: 0.0,
+        };
+        clock.whole = clock.time(model, plan)?;
+        Ok(clock)
+    }
+
+    /// Seconds of one right-hand side.
+    fn time(&self, model: &Model, plan: &Plan) -> Result<f64, CompareError> {
+        let (repeats, takes) = if model.is_direct() {
+            (DIRECT_REPEATS, DIRECT_TAKES)
+        } else {
+            (REPEATS, TAKES)
+        };
+        let mut shortest = f64::INFINITY;
+        for _ in 0..takes {
+            let started = Instant::now();
+            model.rates(plan, self.plan.start(), repeats)?;
+            shortest = shortest.min(started.elapsed().as_secs_f64() / repeats as f64);
+        }
+        Ok(shortest)
+    }
+
+    /// What an effect that runs adds to the time of a right-hand side, as a share of the whole; what a
+    /// symmetry saves is negative.
+    fn share(&self, effect: &str, runs: bool) -> Result<Option<f64>, CompareError> {
+        if !runs {
+            return Ok(None);
+        }
+        let without = |plan: Plan| self.time(self.model, &plan);
+        let plan = || self.plan.clone();
+        let rest = match effect {
+            "hydrodynamics" => {
+                let none = Model::set_up(crate::Method::Isolated, &ModelOptions::default())?;
+                self.time(&none, self.plan)?
+            }
+            "squirming of 1" => without(plan().without_squirming(0))?,
+            "squirming of 2" => without(plan().without_squirming(1))?,
+            "swirl" => without(plan().without_swirl())?,
+            "repulsion" => without(plan().without_repulsion())?,
+            "gravity" => without(plan().without_gravity())?,
+            "symmetry" => without(plan().without_symmetry())?,
+            _ => return Ok(None),
+        };
+        Ok(Some((self.whole - rest) / self.whole))
+    }
+}

@@ -1,0 +1,173 @@
+#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
+
+use super::*;
+
+const START: &str = "hydrodynamics = \"lubrication\"
+[[squirmer]]
+position = [-1.5, 0]
+orientation = 0
+beta = 1
+[[squirmer]]
+position = [1.5, 0]
+orientation = 180.0
+beta = 1
+";
+
+/// The mistakes of a text, one a line.
+fn mistakes(text: &str) -> Vec<String> {
+    let mistakes = SceneFile::parse(text).unwrap_err();
+    mistakes.0.iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn every_mistake_is_listed_with_its_place_and_what_is_allowed() {
+    let text = "hydrodinamics = \"lt\"
+repulsion = { kappa1 = -1, kapa2 = 3 }
+[[squirmer]]
+position = [0, \"a\", 1]
+orientation = [0, 0]
+beta = nan
+[[squirmer]]
+position = [1]
+orientation = true
+modes = [1, 2, 3, 4, 5, 6, 7, 8, 9]
+[run]
+end_time = 0
+max_steps = 1.5
+tolerance =
+[gravity]
+";
+    let found = mistakes(text);
+    let expected = [
+        ("1:1: hydrodynamics:", "give \"none\""),
+        ("1:1: hydrodinamics:", "did you mean 'hydrodynamics'?"),
+        (
+            "2:24: repulsion.kappa1:",
+            "found -1; give a number greater than 0",
+        ),
+        ("2:28: repulsion.kapa2:", "did you mean 'kappa2'?"),
+        (
+            "4:16: squirmer[0].position[1]:",
+            "found \"a\"; give a finite number",
+        ),
+        ("5:15: squirmer[0].orientation:", "not zero"),
+        ("6:8: squirmer[0].beta:", "found nan; give a finite number"),
+        (
+            "8:12: squirmer[1].position:",
+            "found [1]; give a list of 2 to 3",
+        ),
+        (
+            "9:15: squirmer[1].orientation:",
+            "found true; give an angle",
+        ),
+        ("10:9: squirmer[1].modes:", "give a list of 0 to 8"),
+        (
+            "12:12: run.end_time:",
+            "found 0; give a time greater than 0",
+        ),
+        (
+            "13:13: run.max_steps:",
+            "found 1.5; give a whole number from 1",
+        ),
+        ("14:12: ", "not TOML"),
+        ("15:1: gravity.direction:", "found nothing; give the vector"),
+    ];
+    assert_eq!(found.len(), expected.len(), "{found:#?}");
+    for (found, (start, contained)) in found.iter().zip(expected) {
+        assert!(found.starts_with(start), "{found}: {start}");
+        assert!(found.contains(contained), "{found}: {contained}");
+    }
+}
+
+#[test]
+fn overlapping_spheres_and_doubled_squirming_point_to_their_keys() {
+    let overlap = START.replace("[1.5, 0]", "[0.4, 0]");
+    let found = mistakes(&overlap);
+    assert_eq!(found.len(), 1);
+    assert!(
+        found[0].starts_with("7:12: squirmer[1].position: found [0.4, 0]"),
+        "{found:?}"
+    );
+    let both = START.replacen("beta = 1", "beta = 1\nmodes = [1.5]", 1);
+    assert!(mistakes(&both)[0].starts_with("5:8: squirmer[0].beta"));
+    let three = format!("{START}[[squirmer]]\n");
+    assert!(
+        mistakes(&three)
+            .iter()
+            .any(|m| m.contains("found 3 of them"))
+    );
+}
+
+#[test]
+fn keys_of_another_model_are_refused() {
+    let level = START.replace("\"lubrication\"", "{ model = \"exact\", level = 2 }");
+    assert!(mistakes(&level)[0].contains("hydrodynamics.level"));
+    let level = START.replace("\"lubrication\"", "{ model = \"bem\", level = 9 }");
+    assert!(mistakes(&level)[0].contains("found 9; give a whole number from 1 to 5"));
+}
+
+#[test]
+fn repulsion_that_reaches_beyond_the_cut_of_lubrication_is_refused() {
+    let with = |model: &str| {
+        START.replace(
+            "\"lubrication\"",
+            &format!("\"{model}\"\nrepulsion = {{ kappa2 = 2 }}"),
+        )
+    };
+    assert!(mistakes(&with("lubrication"))[0].contains("choose kappa2 so large"));
+    assert!(SceneFile::parse(&with("exact")).is_ok());
+    assert!(SceneFile::parse(&with("none")).is_ok());
+}
+
+#[test]
+fn what_is_left_out_has_its_default() {
+    let file = SceneFile::parse(START).unwrap();
+    let run = RunOptions {
+        sample_interval: Some(SAMPLE_INTERVAL),
+        ..RunOptions::default()
+    };
+    assert_eq!(file.run, run);
+    assert_eq!((file.method, file.scene.repulsion), (Method::Lt, None));
+    assert_eq!(file.scene.squirmers[0].modes(), [1.5, 1.5]);
+}
+
+/// The blocks of a page that begin with a line of backquotes and `kind`.
+fn blocks<'a>(page: &'a str, kind: &str) -> Vec<&'a str> {
+    let opening = format!("```{kind}\n");
+    (page.split(opening.as_str()).skip(1))
+        .filter_map(|rest| rest.split("```").next())
+        .collect()
+}
+
+#[test]
+fn the_examples_of_the_reference_page_are_read_and_name_every_key() {
+    let page = include_str!("../../../docs/SCENES.md");
+    let examples = blocks(page, "toml");
+    assert_eq!(examples.len(), 3);
+    let all = SceneFile::parse(examples[1]).unwrap();
+    assert_eq!(all.method, Method::LtCorrected);
+    assert_eq!(all.scene.squirmers[0].modes(), [1.5, 7.5, 0.3]);
+    assert_eq!(all.scene.squirmers[0].swirl(), [0.0, 0.4]);
+    assert!(all.scene.gravity.is_some());
+    for example in examples {
+        SceneFile::parse(example).unwrap();
+    }
+    // What the page says are defaults are the defaults.
+    let defaults = SceneFile::parse(START).unwrap().run;
+    assert_eq!(all.run, defaults);
+}
+
+#[test]
+fn the_mistakes_of_the_reference_page_are_those_that_are_printed() {
+    let page = include_str!("../../../docs/SCENES.md");
+    let shown = blocks(page, "console")[0];
+    let text = START
+        .replace(
+            "hydrodynamics = \"lubrication\"",
+            "hydrodynamics = \"none\"\nrepulsion = \"off\"\n",
+        )
+        .replacen("beta = 1", "beta = \"five\"", 1);
+    let found = mistakes(&text);
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(shown.contains(&found[0]), "{}", found[0]);
+}

@@ -1,0 +1,191 @@
+//! One scene run to files: rows as they come, and a summary.
+//!
+//! Rows are written to `run.csv.partial`, one whole line at a time, and the file is renamed to `run.csv` when the
+//! run has ended: a run that is stopped leaves its finished rows under a name that says so.
+
+use std::fs::File;
+use std::io::{BufWriter, Write};
+
+use scene::{Configuration, Plan, Run, RunOptions, Sample};
+use serde::Serialize;
+
+use crate::output::OutputFolder;
+use crate::{CompareError, Method, Model};
+
+/// File of the trajectory.
+const FILE: &str = "run.csv";
+
+/// One line of `run.csv`: time in `a/V_s`, lengths in radii, orientations as unit vectors and as angles of
+/// their projection on the x-y plane, in degrees, anticlockwise from the x axis; angles wind.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct SampleRow {
+    /// Time.
+    pub t: f64,
+    /// First centre.
+    pub x1: f64,
+    /// First centre.
+    pub y1: f64,
+    /// First centre.
+    pub z1: f64,
+    /// Second centre.
+    pub x2: f64,
+    /// Second centre.
+    pub y2: f64,
+    /// Second centre.
+    pub z2: f64,
+    /// First orientation.
+    pub px1: f64,
+    /// First orientation.
+    pub py1: f64,
+    /// First orientation.
+    pub pz1: f64,
+    /// Second orientation.
+    pub px2: f64,
+    /// Second orientation.
+    pub py2: f64,
+    /// Second orientation.
+    pub pz2: f64,
+    /// Angle of the first orientation.
+    pub angle1_deg: f64,
+    /// Angle of the second orientation.
+    pub angle2_deg: f64,
+    /// Gap.
+    pub gap: f64,
+}
+
+impl From<&Sample> for SampleRow {
+    fn from(sample: &Sample) -> Self {
+        let Configuration {
+            gap,
+            orientations: [p1, p2],
+            angles: [angle1, angle2],
+            ..
+        } = sample.configuration;
+        let [c1, c2] = sample.configuration.positions();
+        Self {
+            t: sample.t,
+            x1: c1.x,
+            y1: c1.y,
+            z1: c1.z,
+            x2: c2.x,
+            y2: c2.y,
+            z2: c2.z,
+            px1: p1.x,
+            py1: p1.y,
+            pz1: p1.z,
+            px2: p2.x,
+            py2: p2.y,
+            pz2: p2.z,
+            angle1_deg: angle1.to_degrees(),
+            angle2_deg: angle2.to_degrees(),
+            gap: gap.eps(),
+        }
+    }
+}
+
+/// What came of a run, for people and for programs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Summary {
+    /// Outcome.
+    pub outcome: String,
+    /// Time at the end, in `a/V_s`.
+    pub end_time: f64,
+    /// Smallest gap, in radii.
+    pub min_gap: f64,
+    /// Time spent at gaps up to 1, in `a/V_s`.
+    pub contact_time: f64,
+    /// Deflection of the first squirmer, in degrees.
+    pub deflection1_deg: f64,
+    /// Deflection of the second squirmer, in degrees.
+    pub deflection2_deg: f64,
+    /// Time from which on the pair was in a steady state, if it was.
+    pub settled: Option<f64>,
+    /// Name of the hydrodynamic method.
+    pub method: &'static str,
+    /// Name of the state of the motion.
+    pub state: &'static str,
+    /// Numbers in it.
+    pub numbers: usize,
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejected: u64,
+    /// Loads asked of the model.
+    pub loads: u64,
+    /// Free flights.
+    pub flights: u64,
+    /// Wall-clock time of the run, in seconds.
+    pub seconds: f64,
+}
+
+impl Summary {
+    /// The summary of a run that took `seconds`.
+    #[must_use]
+    pub fn new(run: &Run, plan: &Plan, method: Method, seconds: f64) -> Self {
+        let [deflection1, deflection2] = run.deflections().map(f64::to_degrees);
+        Self {
+            outcome: run.outcome.to_string(),
+            end_time: run.end_time,
+            min_gap: run.min_gap,
+            contact_time: run.contact_time,
+            deflection1_deg: deflection1,
+            deflection2_deg: deflection2,
+            settled: run.settled,
+            method: method.name(),
+            state: plan.state().name(),
+            numbers: plan.state().numbers(),
+            steps: run.counters.steps,
+            rejected: run.counters.rejected,
+            loads: run.counters.loads,
+            flights: run.counters.flights,
+            seconds,
+        }
+    }
+
+    /// As one JSON object on one line.
+    ///
+    /// # Errors
+    /// [`CompareError::Json`].
+    pub fn json(&self) -> Result<String, CompareError> {
+        Ok(serde_json::to_string(self)?)
+    }
+}
+
+/// Runs a plan, writing its samples to `run.csv` of `out` as they come; returns them too.
+///
+/// # Errors
+/// [`CompareError`] if the run fails or a file cannot be written; finished rows stay in
+/// `run.csv.partial`.
+pub fn stream(
+    model: &Model,
+    plan: &Plan,
+    options: &RunOptions,
+    out: &OutputFolder,
+) -> Result<(Run, Vec<SampleRow>), CompareError> {
+    let partial = out.path().join(format!("{FILE}.partial"));
+    let failed = |source: std::io::Error| CompareError::Write {
+        path: partial.clone(),
+        source,
+    };
+    let mut writer =
+        csv::Writer::from_writer(BufWriter::new(File::create(&partial).map_err(failed)?));
+    let mut rows = Vec::new();
+    let mut written = Ok(());
+    let run = model.run_observed(plan, options, &mut |sample| {
+        let row = SampleRow::from(sample);
+        rows.push(row);
+        if written.is_ok() {
+            written = writer.serialize(row).and_then(|()| Ok(writer.flush()?));
+        }
+    })?;
+    written?;
+    let file = writer
+        .into_inner()
+        .map_err(|error| failed(error.into_error()))?;
+    let mut file = file
+        .into_inner()
+        .map_err(|error| failed(error.into_error()))?;
+    file.flush().map_err(failed)?;
+    std::fs::rename(&partial, out.path().join(FILE)).map_err(failed)?;
+    Ok((run, rows))
+}

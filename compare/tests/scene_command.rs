@@ -1,0 +1,180 @@
+//! `squirmers run` and `squirmers explain`: what they print and write, and what they refuse.
+
+#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn scene(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join(format!("../fixtures/scenes/{name}.toml"))
+}
+
+fn squirmers(command: &str, file: &Path, out: &Path, more: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_squirmers"))
+        .arg(command)
+        .arg(file)
+        .args(more)
+        .arg("--out")
+        .arg(out)
+        .output()
+        .unwrap()
+}
+
+fn text(bytes: Vec<u8>) -> String {
+    String::from_utf8(bytes).unwrap()
+}
+
+/// Names of the files in a folder.
+fn files(folder: &Path) -> Vec<String> {
+    let Ok(entries) = std::fs::read_dir(folder) else {
+        return Vec::new();
+    };
+    let mut names: Vec<_> = entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_run_writes_trajectory_picture_and_summary() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = squirmers("run", &scene("fig6-head-on-dx1"), folder.path(), &[]);
+    assert!(output.status.success());
+    assert!(text(output.stdout).contains("scattered"));
+    assert_eq!(files(folder.path()), ["run.csv", "run.json", "run.svg"]);
+    let mut reader = csv::Reader::from_path(folder.path().join("run.csv")).unwrap();
+    let header: Vec<_> = reader
+        .headers()
+        .unwrap()
+        .iter()
+        .map(str::to_owned)
+        .collect();
+    let expected = "t,x1,y1,z1,x2,y2,z2,px1,py1,pz1,px2,py2,pz2,angle1_deg,angle2_deg,gap";
+    assert_eq!(header.join(","), expected);
+    let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+    let number = |row: &csv::StringRecord, column: usize| row[column].parse::<f64>().unwrap();
+    assert!(
+        rows.windows(2)
+            .all(|pair| number(&pair[0], 0) < number(&pair[1], 0))
+    );
+    for row in &rows {
+        let [x, y, z] = [0, 1, 2].map(|i| number(row, 4 + i) - number(row, 1 + i));
+        let gap = (x * x + y * y + z * z).sqrt() - 2.0;
+        assert!((gap - number(row, 15)).abs() < 1e-12);
+        let azimuth = number(row, 8).atan2(number(row, 7)).to_degrees();
+        assert!(((azimuth - number(row, 13)) / 360.0).fract().abs() < 1e-12);
+    }
+}
+
+#[test]
+fn json_is_one_object_and_nothing_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = squirmers(
+        "run",
+        &scene("fig6-head-on-dx2"),
+        folder.path(),
+        &["--json"],
+    );
+    assert!(output.status.success() && output.stderr.is_empty());
+    let printed = text(output.stdout);
+    assert_eq!(printed.lines().count(), 1);
+    let summary: serde_json::Value = serde_json::from_str(&printed).unwrap();
+    assert_eq!(summary["outcome"], "scattered");
+    assert_eq!(summary["state"], "point-symmetric");
+    assert_eq!(summary["numbers"], 3);
+    let one = summary["deflection1_deg"].as_f64().unwrap();
+    assert!((one + 8.483).abs() < 1e-3, "{one}");
+    let written = std::fs::read_to_string(folder.path().join("run.json")).unwrap();
+    assert_eq!(written.trim(), printed.trim());
+}
+
+#[test]
+fn a_run_that_fails_leaves_its_finished_rows_under_a_name_that_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("short.toml");
+    let start = std::fs::read_to_string(scene("fig6-head-on-dx1")).unwrap();
+    std::fs::write(&file, start + "\n[run]\nmax_steps = 10\n").unwrap();
+    let out = folder.path().join("out");
+    let output = squirmers("run", &file, &out, &["--json"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(output.stdout.is_empty());
+    assert!(text(output.stderr).contains("10 steps"));
+    assert_eq!(files(&out), ["run.csv.partial"]);
+    let mut reader = csv::Reader::from_path(out.join("run.csv.partial")).unwrap();
+    let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+    assert!(rows.len() > 10 && rows.iter().all(|row| row.len() == 16));
+}
+
+#[test]
+fn mistakes_are_listed_with_their_places_and_nothing_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("typo.toml");
+    let right = std::fs::read_to_string(scene("fig6-head-on-dx1")).unwrap();
+    let wrong = right
+        .replace("beta = 5.0", "betta = 5.0")
+        .replace("-0.5,", "nan,");
+    std::fs::write(&file, wrong).unwrap();
+    let out = folder.path().join("out");
+    for command in ["run", "explain"] {
+        let output = squirmers(command, &file, &out, &[]);
+        assert_eq!(output.status.code(), Some(2));
+        let message = text(output.stderr);
+        assert_eq!(
+            message.matches("did you mean 'beta'?").count(),
+            2,
+            "{message}"
+        );
+        assert!(
+            message.contains("7:13: squirmer[0].position[0]: found nan"),
+            "{message}"
+        );
+        assert!(files(&out).is_empty());
+    }
+    let absent = squirmers("run", Path::new("no-such.toml"), &out, &[]);
+    assert_eq!(absent.status.code(), Some(2));
+    assert!(text(absent.stderr).contains("cannot read 'no-such.toml'"));
+}
+
+#[test]
+fn explain_prints_the_plan() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = squirmers("explain", &scene("fig8e-downward"), folder.path(), &[]);
+    assert!(output.status.success());
+    let printed = text(output.stdout);
+    for expected in [
+        "mirror-symmetric: 3 numbers",
+        "Y11A + Y12A",
+        "axial mirrored, transverse mirrored",
+        "a bottom-heavy squirmer swims",
+        "share of cost",
+        "measured",
+    ] {
+        assert!(printed.contains(expected), "{expected}: {printed}");
+    }
+    let row = |effect: &str| {
+        let line = printed
+            .lines()
+            .find(|line| line.trim().starts_with(effect))
+            .unwrap();
+        line[effect.len() + 1..]
+            .split_whitespace()
+            .next()
+            .unwrap()
+            .to_owned()
+    };
+    assert_eq!([row("gravity"), row("third dimension")], ["yes", "no"]);
+    assert!(files(folder.path()).is_empty());
+}
+
+#[test]
+fn help_has_an_example() {
+    for command in ["run", "explain"] {
+        let output = Command::new(env!("CARGO_BIN_EXE_squirmers"))
+            .args([command, "--help"])
+            .output()
+            .unwrap();
+        let help = text(output.stdout);
+        assert!(help.contains(&format!("Example:\n  squirmers {command} fixtures/scenes/")));
+    }
+}

@@ -1,0 +1,65 @@
+//! Where the two squirmers are and which way they point, in the laboratory frame.
+
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
+
+use crate::{Gap, Scene, SceneError};
+
+/// A state in the laboratory frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Configuration {
+    /// Gap between the surfaces.
+    pub gap: Gap,
+    /// Midpoint of the two centres, in sphere radii.
+    pub midpoint: Vector3<f64>,
+    /// Unit vector from the first centre to the second.
+    pub line: Vector3<f64>,
+    /// Unit orientations.
+    pub orientations: [Vector3<f64>; 2],
+    /// Angle of `line`'s projection on the x-y plane, in radians; it winds.
+    pub line_angle: f64,
+    /// Angles of the orientations' projections on the x-y plane, in radians; they wind.
+    pub angles: [f64; 2],
+}
+
+impl Configuration {
+    /// The two centres, in sphere radii.
+    #[must_use]
+    pub fn positions(&self) -> [Vector3<f64>; 2] {
+        let half = self.line * (0.5 * self.gap.distance());
+        [self.midpoint - half, self.midpoint + half]
+    }
+}
+
+/// `angle` plus the multiple of 2 pi that brings it nearest to `previous`.
+pub(crate) fn unwind(angle: f64, previous: f64) -> f64 {
+    angle + TAU * ((previous - angle) / TAU).round()
+}
+
+/// Rates of change of a [`Configuration`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rates {
+    /// Velocity of the midpoint.
+    pub midpoint: Vector3<f64>,
+    /// Rate of change of the unit vector from the first centre to the second.
+    pub line: Vector3<f64>,
+    /// `d(ln eps)/dt`.
+    pub ln_gap: f64,
+    /// Rates of change of the orientations.
+    pub orientations: [Vector3<f64>; 2],
+}
+
+/// The configuration in which a scene starts.
+pub(crate) fn start(scene: &Scene) -> Result<Configuration, SceneError> {
+    let [one, two] = &scene.start;
+    let separation = two.position - one.position;
+    let line = separation / separation.norm();
+    Ok(Configuration {
+        gap: scene.gap()?,
+        midpoint: (one.position + two.position) * 0.5,
+        line,
+        orientations: [one.orientation.vector()?, two.orientation.vector()?],
+        line_angle: line.y.atan2(line.x),
+        angles: [one.orientation.angle(), two.orientation.angle()],
+    })
+}

@@ -1,0 +1,114 @@
+//! How to run a scene, and what comes of it.
+
+use super::configuration::Configuration;
+use super::outcome::Outcome;
+use crate::SceneError;
+
+/// Most samples of a run.
+const MOST_SAMPLES: f64 = 1e7;
+
+/// How to run a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RunOptions {
+    /// Tolerance of the stepper per step, absolute and relative, in radii and radians.
+    pub tolerance: f64,
+    /// Time at which a run ends at the latest, in units of `a/V_s`.
+    pub end_time: f64,
+    /// Distance of the centres, in radii, at which a receding pair has parted, where the model has
+    /// no cut and gravity does not act.
+    pub departure_distance: f64,
+    /// Time between recorded samples; none are recorded without it.
+    pub sample_interval: Option<f64>,
+    /// Steps, accepted and rejected, after which a run is given up; also the most contacts and flights.
+    pub max_steps: usize,
+}
+
+impl Default for RunOptions {
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-8,
+            end_time: 200.0,
+            departure_distance: 12.0,
+            sample_interval: None,
+            max_steps: 1_000_000,
+        }
+    }
+}
+
+impl RunOptions {
+    /// Refuses options with which no run can begin or end.
+    pub(super) fn check(&self) -> Result<(), SceneError> {
+        let interval = self.sample_interval.unwrap_or(self.end_time);
+        for (what, value) in [
+            ("tolerance", self.tolerance),
+            ("end time", self.end_time),
+            ("sample interval", interval),
+        ] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(SceneError::NotPositive { what, value });
+            }
+        }
+        let samples = self.end_time / interval;
+        if samples > MOST_SAMPLES {
+            return Err(SceneError::TooManySamples {
+                samples,
+                allowed: MOST_SAMPLES,
+            });
+        }
+        Ok(())
+    }
+}
+
+/// A configuration on the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Time, in units of `a/V_s`.
+    pub t: f64,
+    /// The pair at that time.
+    pub configuration: Configuration,
+}
+
+/// What a run cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejected: u64,
+    /// Loads asked of the model, one for each right-hand side.
+    pub loads: u64,
+    /// Free flights jumped over in closed form.
+    pub flights: u64,
+}
+
+/// A run from start to end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// The start.
+    pub start: Configuration,
+    /// The end.
+    pub end: Configuration,
+    /// Time at the end.
+    pub end_time: f64,
+    /// Smallest gap on the way, in radii.
+    pub min_gap: f64,
+    /// Time spent at gaps `eps <= 1`: the paper's duration of the interaction, tau.
+    pub contact_time: f64,
+    /// What became of the pair.
+    pub outcome: Outcome,
+    /// Time from which on the pair was in a steady bound state, and the rest known in closed form.
+    pub settled: Option<f64>,
+    /// What it cost.
+    pub counters: Counters,
+    /// Samples at multiples of the sample interval, with start, end and changes of phase.
+    pub samples: Vec<Sample>,
+}
+
+impl Run {
+    /// Outgoing minus incoming angle of each squirmer's orientation, projected on the x-y plane,
+    /// in radians, anticlockwise positive; it winds.
+    #[must_use]
+    pub fn deflections(&self) -> [f64; 2] {
+        [0, 1].map(|k| self.end.angles[k] - self.start.angles[k])
+    }
+}

@@ -1,0 +1,275 @@
+//! The plan of a scene: what is computed, on which state, and why.
+//!
+//! [`run`](crate::run) makes this plan and goes by it, and `squirmers explain` prints it: there is
+//! no other place where it is decided what runs.
+
+mod describe;
+mod symmetry;
+
+pub use describe::{NeededLoads, Parities, PlanRow, SymmetryClass};
+
+use crate::motion::{Configuration, start};
+use crate::{Gravity, Hydrodynamics, LoadSet, Repulsion, Scene, SceneError, Squirmer};
+
+/// The variables in which the motion is integrated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum State {
+    /// Both orientations lie along the line of centres, which stays where it is: position along it
+    /// and `ln eps`.
+    Axisymmetric,
+    /// The pair is its own image under the rotation by pi about its midpoint, which stays where it
+    /// is: angle of the line of centres, `ln eps`, one orientation.
+    PointSymmetric,
+    /// The pair is its own image in a mirror between the squirmers, which stays where it is:
+    /// position along the mirror, `ln eps`, one orientation.
+    MirrorSymmetric,
+    /// Midpoint x, y, angle of the line of centres, `ln eps`, two orientations.
+    Planar,
+    /// Midpoint, line of centres, `ln eps`, two orientations as vectors.
+    Spatial,
+}
+
+impl State {
+    /// All states, that with the fewest numbers first.
+    pub const ALL: [Self; 5] = [
+        Self::Axisymmetric,
+        Self::PointSymmetric,
+        Self::MirrorSymmetric,
+        Self::Planar,
+        Self::Spatial,
+    ];
+
+    /// Numbers in it.
+    #[must_use]
+    pub fn numbers(self) -> usize {
+        match self {
+            Self::Axisymmetric => 2,
+            Self::PointSymmetric | Self::MirrorSymmetric => 3,
+            Self::Planar => 6,
+            Self::Spatial => 13,
+        }
+    }
+
+    /// The numbers in words.
+    #[must_use]
+    pub fn variables(self) -> &'static str {
+        match self {
+            Self::Axisymmetric => "position along the line of centres, ln eps",
+            Self::PointSymmetric => "angle of the line of centres, ln eps, one orientation",
+            Self::MirrorSymmetric => "position along the mirror, ln eps, one orientation",
+            Self::Planar => "midpoint, angle of the line of centres, ln eps, two orientations",
+            Self::Spatial => "midpoint, line of centres, ln eps, two orientations as vectors",
+        }
+    }
+
+    /// Name in tables.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Axisymmetric => "axisymmetric",
+            Self::PointSymmetric => "point-symmetric",
+            Self::MirrorSymmetric => "mirror-symmetric",
+            Self::Planar => "planar",
+            Self::Spatial => "spatial",
+        }
+    }
+}
+
+impl std::fmt::Display for State {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// What is computed for a scene. The motion is dispatched from it and from nothing else.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    pub(crate) scene: Scene,
+    pub(crate) start: Configuration,
+    state: State,
+    repulsion: Option<Repulsion>,
+    gravity: Option<Gravity>,
+    /// Highest swirl mode, 0 without swirl.
+    swirl: usize,
+}
+
+impl Plan {
+    /// The plan of a scene: every effect that can change its motion, on the smallest state that
+    /// can hold it.
+    ///
+    /// # Errors
+    /// [`SceneError`] if the spheres overlap at the start or an orientation has no direction.
+    ///
+    /// ```
+    /// use scene::{Orientation, Plan, Pose, Scene, Squirmer, State};
+    /// let squirmer = Squirmer::with_beta(1.0, 5.0)?;
+    /// let pose = |x: f64, angle: f64| Pose {
+    ///     position: [x, 0.0, 0.0].into(),
+    ///     orientation: Orientation::Angle(angle),
+    /// };
+    /// let start = [pose(-1.5, 0.0), pose(1.5, std::f64::consts::PI)];
+    /// let plan = Plan::new(&Scene::new([squirmer; 2], start, None, None)?)?;
+    /// assert_eq!(plan.state(), State::Axisymmetric);
+    /// assert!(plan.repulsion().is_none());
+    /// # Ok::<(), scene::SceneError>(())
+    /// ```
+    pub fn new(scene: &Scene) -> Result<Self, SceneError> {
+        let gravity = acting_gravity(scene);
+        let start = start(scene)?;
+        let swirl = acting_swirl(scene);
+        let state = symmetry::smallest_state(scene, &start, gravity, swirl > 0);
+        Ok(Self {
+            state,
+            // What turns a squirmer about the line of centres along which it points changes nothing.
+            swirl: if state == State::Axisymmetric {
+                0
+            } else {
+                swirl
+            },
+            start,
+            repulsion: scene.repulsion,
+            gravity,
+            scene: scene.clone(),
+        })
+    }
+
+    /// The same without the use of symmetries: on the planar or the spatial state.
+    #[must_use]
+    pub fn without_symmetry(self) -> Self {
+        let swirl = acting_swirl(&self.scene);
+        Self {
+            state: symmetry::full_state(&self.scene, self.gravity, swirl > 0),
+            swirl,
+            ..self
+        }
+    }
+
+    /// The same in three dimensions, whether the scene calls for them or not.
+    #[must_use]
+    pub fn in_three_dimensions(self) -> Self {
+        Self {
+            state: State::Spatial,
+            ..self
+        }
+    }
+
+    /// The same without repulsion.
+    #[must_use]
+    pub fn without_repulsion(self) -> Self {
+        Self {
+            repulsion: None,
+            ..self
+        }
+    }
+
+    /// The same without gravity; the state is kept.
+    #[must_use]
+    pub fn without_gravity(self) -> Self {
+        Self {
+            gravity: None,
+            ..self
+        }
+    }
+
+    /// The same with one squirmer passive; the state is kept, whose symmetry that may break.
+    #[must_use]
+    pub fn without_squirming(mut self, k: usize) -> Self {
+        if let (Some(squirmer), Ok(passive)) = (self.scene.squirmers.get_mut(k), Squirmer::new(&[]))
+        {
+            *squirmer = passive;
+        }
+        self
+    }
+
+    /// The same with the gravity of the scene, if it has one, although nothing is turned by it; without
+    /// the use of symmetries.
+    #[must_use]
+    pub fn with_idle_gravity(self) -> Self {
+        let swirl = acting_swirl(&self.scene);
+        Self {
+            state: symmetry::full_state(&self.scene, self.scene.gravity, swirl > 0),
+            gravity: self.scene.gravity,
+            swirl,
+            ..self
+        }
+    }
+
+    /// The scene.
+    #[must_use]
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The configuration in which the scene starts.
+    #[must_use]
+    pub fn start(&self) -> &Configuration {
+        &self.start
+    }
+
+    /// The variables of the motion.
+    #[must_use]
+    pub fn state(&self) -> State {
+        self.state
+    }
+
+    /// Repulsion, if it runs.
+    #[must_use]
+    pub fn repulsion(&self) -> Option<Repulsion> {
+        self.repulsion
+    }
+
+    /// Gravity, if it runs.
+    #[must_use]
+    pub fn gravity(&self) -> Option<Gravity> {
+        self.gravity
+    }
+
+    /// Highest swirl mode that acts, 0 if none does.
+    #[must_use]
+    pub fn swirl(&self) -> usize {
+        self.swirl
+    }
+
+    /// The same without swirl; the state is kept.
+    #[must_use]
+    pub fn without_swirl(self) -> Self {
+        Self { swirl: 0, ..self }
+    }
+
+    /// Gap from which on the squirmers fly freely, in closed form, if there is one: where neither
+    /// hydrodynamics nor repulsion acts.
+    #[must_use]
+    pub fn free_flight_beyond<H: Hydrodynamics + ?Sized>(&self, model: &H) -> Option<f64> {
+        // Under a model with a cut the paper's repulsion has died out at it; without hydrodynamics it
+        // acts alone.
+        model
+            .cutoff()
+            .filter(|cut| *cut > 0.0 || self.repulsion.is_none())
+    }
+
+    /// The loads that are asked of the model.
+    #[must_use]
+    pub fn load_set(&self) -> LoadSet {
+        LoadSet {
+            modes: self.scene.modes(),
+            transverse: self.state != State::Axisymmetric,
+            // Without a torque about the line of centres nothing but slip across it turns a squirmer.
+            twist: self.state == State::Spatial && (self.gravity.is_some() || self.swirl > 0),
+            swirl: self.swirl,
+        }
+    }
+}
+
+/// Gravity, if there is any and a squirmer that it turns.
+fn acting_gravity(scene: &Scene) -> Option<Gravity> {
+    let turns = scene.squirmers.iter().any(|s| s.gravity_torque() != 0.0);
+    scene.gravity.filter(|_| turns)
+}
+
+/// Highest swirl mode, 0 if swirl has no effect: `C_1` alone turns a squirmer about its own axis, which
+/// changes nothing, whatever is around it.
+fn acting_swirl(scene: &Scene) -> usize {
+    let [one, two] = &scene.squirmers;
+    let highest = one.swirl().len().max(two.swirl().len());
+    if highest > 1 { highest } else { 0 }
+}

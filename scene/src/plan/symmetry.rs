@@ -1,0 +1,175 @@
+//! Which symmetry a scene has, to the last bit of its numbers.
+
+use nalgebra::Vector3;
+use std::f64::consts::{PI, TAU};
+
+use super::State;
+use crate::motion::Configuration;
+use crate::{Gravity, Orientation, Scene};
+
+/// The state without the use of exchange or axial symmetry.
+pub(super) fn full_state(scene: &Scene, gravity: Option<Gravity>, swirls: bool) -> State {
+    let [one, two] = &scene.start;
+    #[expect(clippy::float_cmp, reason = "planar means exactly planar")]
+    let level = one.position.z == two.position.z;
+    let flat = |orientation: Orientation| match orientation {
+        Orientation::Angle(_) => true,
+        Orientation::Vector(v) => v.z == 0.0,
+    };
+    let planar = level
+        && !swirls
+        && scene.start.iter().all(|pose| flat(pose.orientation))
+        && gravity.is_none_or(|gravity| gravity.direction().z == 0.0);
+    if planar {
+        State::Planar
+    } else {
+        State::Spatial
+    }
+}
+
+/// The state with the fewest numbers that holds the scene's motion.
+pub(super) fn smallest_state(
+    scene: &Scene,
+    start: &Configuration,
+    gravity: Option<Gravity>,
+    swirls: bool,
+) -> State {
+    let full = full_state(scene, gravity, swirls);
+    if gravity.is_none() && is_axisymmetric(scene, start) {
+        return State::Axisymmetric;
+    }
+    let [one, two] = &scene.squirmers;
+    if full != State::Planar || one != two {
+        return full;
+    }
+    if gravity.is_none() && is_point_symmetric(start) {
+        return State::PointSymmetric;
+    }
+    // A mirror that holds the direction of gravity is one of gravity's too.
+    let across = |gravity: Gravity| gravity.direction().dot(&start.line) == 0.0;
+    if gravity.is_none_or(across) && is_mirror_symmetric(start) {
+        return State::MirrorSymmetric;
+    }
+    full
+}
+
+/// Whether both orientations lie along the line of centres.
+fn is_axisymmetric(scene: &Scene, start: &Configuration) -> bool {
+    let separation = scene.start[1].position - scene.start[0].position;
+    let parallel = |v: &Vector3<f64>| v.cross(&separation) == Vector3::zeros();
+    [0, 1]
+        .into_iter()
+        .all(|k| match scene.start[k].orientation {
+            Orientation::Vector(v) => parallel(&v),
+            // The sine of pi is not zero in floating-point numbers: half turns are counted.
+            Orientation::Angle(angle) => {
+                separation.z == 0.0 && (angle - start.line_angle) % PI == 0.0
+            }
+        })
+}
+
+/// Whether the second orientation is opposed to the first.
+fn is_point_symmetric(start: &Configuration) -> bool {
+    let [one, two] = start.angles;
+    same_direction(two, one + PI, one)
+}
+
+/// Whether the second orientation is the image of the first in the mirror between the two.
+fn is_mirror_symmetric(start: &Configuration) -> bool {
+    let [one, two] = start.angles;
+    same_direction(two, 2.0 * start.line_angle + PI - one, one)
+}
+
+/// Whether two angles differ by whole turns and no more than the last bit of the largest of the three
+/// angles: the image of an angle is rounded, and no closer number may exist.
+fn same_direction(angle: f64, image: f64, of: f64) -> bool {
+    let largest = angle.abs().max(image.abs()).max(of.abs());
+    let last_bit = largest.next_up() - largest;
+    let difference = angle - image;
+    let turns = (difference / TAU).round();
+    (difference - turns * TAU).abs() <= last_bit
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Plan, Pose, Squirmer};
+    use std::f64::consts::FRAC_PI_2;
+
+    fn scene(positions: [[f64; 3]; 2], angles: [f64; 2], betas: [f64; 2]) -> Scene {
+        let start = [0, 1].map(|k| Pose {
+            position: positions[k].into(),
+            orientation: Orientation::Angle(angles[k]),
+        });
+        let squirmers = betas.map(|beta| {
+            let squirmer = Squirmer::with_beta(1.0, beta).unwrap();
+            squirmer.bottom_heavy(3.0).unwrap()
+        });
+        Scene::new(squirmers, start, None, None).unwrap()
+    }
+
+    fn state(scene: &Scene) -> State {
+        Plan::new(scene).unwrap().state()
+    }
+
+    const LEVEL: [[f64; 3]; 2] = [[-1.5, 0.0, 0.0], [1.5, 0.0, 0.0]];
+
+    #[test]
+    fn opposed_squirmers_are_point_symmetric_wherever_they_start() {
+        for dx in [0.1, 1.0, 2.0, 3.0, 7.3] {
+            let positions = [[-0.5 * dx, 5.0, 0.0], [0.5 * dx, -5.0, 0.0]];
+            let opposed = scene(positions, [-FRAC_PI_2, FRAC_PI_2], [5.0; 2]);
+            assert_eq!(state(&opposed), State::PointSymmetric);
+            let unlike = scene(positions, [-FRAC_PI_2, FRAC_PI_2], [5.0, 4.0]);
+            assert_eq!(state(&unlike), State::Planar);
+        }
+    }
+
+    #[test]
+    fn mirror_symmetric_starts_are_found_for_every_delta() {
+        for i in 0..200 {
+            let delta = 0.01 * f64::from(i);
+            let angles = [FRAC_PI_2 * (1.0 - delta), FRAC_PI_2 * (1.0 + delta)];
+            let found = state(&scene(LEVEL, angles, [1.0; 2]));
+            let expected = if i == 100 {
+                State::Axisymmetric
+            } else {
+                State::MirrorSymmetric
+            };
+            assert_eq!(found, expected, "{delta}");
+        }
+    }
+
+    #[test]
+    fn an_asymmetry_of_a_few_last_bits_counts() {
+        let angles = [FRAC_PI_2 - 1.0, FRAC_PI_2 + 1.0 + 4e-15];
+        assert_eq!(state(&scene(LEVEL, angles, [1.0; 2])), State::Planar);
+    }
+
+    #[test]
+    fn gravity_breaks_all_symmetries_but_the_mirror_that_holds_it() {
+        let with = |angles: [f64; 2], direction: [f64; 3]| {
+            let plain = scene(LEVEL, angles, [1.0; 2]);
+            let gravity = Gravity::new(direction.into()).unwrap();
+            state(&Scene::new(plain.squirmers, plain.start, None, Some(gravity)).unwrap())
+        };
+        let (mirrored, opposed) = ([0.5, PI - 0.5], [0.5, PI + 0.5]);
+        assert_eq!(with(mirrored, [0.0, -1.0, 0.0]), State::MirrorSymmetric);
+        assert_eq!(with(mirrored, [0.1, -1.0, 0.0]), State::Planar);
+        assert_eq!(with(opposed, [0.0, -1.0, 0.0]), State::Planar);
+        assert_eq!(with([0.0, PI], [0.0, -1.0, 0.0]), State::MirrorSymmetric);
+        assert_eq!(with([0.0, PI], [0.0, 0.0, -1.0]), State::Spatial);
+    }
+
+    #[test]
+    fn a_pair_on_an_oblique_axis_in_space_is_axisymmetric() {
+        let axis = Vector3::new(1.0, 2.0, -3.0);
+        let pose = |along: f64, sign: f64| Pose {
+            position: axis * along,
+            orientation: Orientation::Vector(axis * sign),
+        };
+        let squirmers = [5.0, -1.0].map(|beta| Squirmer::with_beta(1.0, beta).unwrap());
+        let chase = Scene::new(squirmers, [pose(0.0, 1.0), pose(2.0, 0.5)], None, None);
+        assert_eq!(state(&chase.unwrap()), State::Axisymmetric);
+    }
+}

@@ -1,0 +1,507 @@
+//! Laws over random scenes, and scene files mutated at random.
+//!
+//! `PROPTEST_CASES` sets the number of scenes of each law, `SQUIRMERS_FUZZ` the number of mutated files.
+
+#![allow(clippy::float_cmp, reason = "exactly equal is what is claimed")]
+#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
+
+use std::f64::consts::{PI, TAU};
+use std::path::PathBuf;
+use std::sync::OnceLock;
+
+use compare::{Method, Model, ModelOptions, SceneFile};
+use lt::{Form, Lubrication};
+use nalgebra::{Rotation3, Unit, Vector3};
+use proptest::prelude::*;
+use proptest::test_runner::{Config, TestRunner};
+use scene::{
+    Configuration, Gap, Gravity, Orientation, Plan, Pose, Rates, Repulsion, Run, RunOptions, Scene,
+    Squirmer, State, rates, run, run_plan,
+};
+
+const MODEL: fn() -> Lubrication = || Lubrication::new(Form::Corrected);
+
+/// Short enough that no pair amplifies rounding or truncation beyond the bounds of these tests.
+const TIME: f64 = 1.0;
+
+/// Bound on positions, orientations and `ln eps` after [`TIME`] at the tolerance 1e-11: what truncation
+/// leaves, times the growth of a difference by the fastest collisions.
+const CLOSE: f64 = 1e-6;
+
+fn options() -> RunOptions {
+    RunOptions {
+        tolerance: 1e-11,
+        end_time: TIME,
+        ..RunOptions::default()
+    }
+}
+
+fn config() -> Config {
+    Config {
+        // Unless the environment says otherwise.
+        cases: std::env::var("PROPTEST_CASES").map_or(48, |cases| cases.parse().unwrap()),
+        failure_persistence: None,
+        ..Config::default()
+    }
+}
+
+fn squirmer() -> impl Strategy<Value = Squirmer> {
+    // Half of them with swirl, of which C_1 alone does nothing.
+    let swirl = prop_oneof![Just(Vec::new()), prop::collection::vec(-1.0..1.0, 1..4)];
+    (prop::collection::vec(-3.0..3.0, 0..4), swirl, 0.0..20.0).prop_map(|(modes, swirl, g)| {
+        let plain = Squirmer::new(&modes).unwrap();
+        plain.with_swirl(&swirl).unwrap().bottom_heavy(g).unwrap()
+    })
+}
+
+fn direction() -> impl Strategy<Value = Vector3<f64>> {
+    (-0.999..0.999, 0.0..TAU).prop_map(|(z, azimuth): (f64, f64)| {
+        let across = (1.0 - z * z).sqrt();
+        Vector3::new(across * azimuth.cos(), across * azimuth.sin(), z)
+    })
+}
+
+fn repulsion() -> impl Strategy<Value = Option<Repulsion>> {
+    prop::option::of((1.0..20.0, 50.0..200.0))
+        .prop_map(|kappas| kappas.map(|(one, two)| Repulsion::new(one, two).unwrap()))
+}
+
+/// Any scene, in contact under lubrication theory, flat or in space.
+fn any_scene() -> impl Strategy<Value = Scene> {
+    let heading = || (direction(), 0.0..TAU);
+    let gravity = prop::option::of(direction());
+    (
+        [squirmer(), squirmer()],
+        direction(),
+        0.02..0.9,
+        [heading(), heading()],
+        repulsion(),
+        gravity,
+        any::<bool>(),
+    )
+        .prop_map(
+            |(squirmers, line, eps, headings, repulsion, gravity, flat)| {
+                let level = |v: Vector3<f64>| Vector3::new(v.x, v.y, if flat { 0.0 } else { v.z });
+                let half: Vector3<f64> = level(line).normalize() * (1.0 + 0.5 * eps);
+                let start = [0, 1].map(|k| Pose {
+                    position: if k == 0 { -half } else { half },
+                    orientation: if flat {
+                        Orientation::Angle(headings[k].1)
+                    } else {
+                        Orientation::Vector(headings[k].0)
+                    },
+                });
+                let gravity = gravity.map(|g| Gravity::new(level(g)).unwrap());
+                Scene::new(squirmers, start, repulsion, gravity).unwrap()
+            },
+        )
+}
+
+/// The scene with positions, orientations and gravity mapped.
+fn mapped(scene: &Scene, map: impl Fn(Vector3<f64>) -> Vector3<f64>) -> Scene {
+    let start = scene.start.map(|pose| Pose {
+        position: map(pose.position),
+        orientation: Orientation::Vector(map(pose.orientation.vector().unwrap())),
+    });
+    let gravity = (scene.gravity).map(|g| Gravity::new(map(g.direction())).unwrap());
+    Scene::new(scene.squirmers, start, scene.repulsion, gravity).unwrap()
+}
+
+fn ran(scene: &Scene) -> Run {
+    run(scene, &MODEL(), &options()).unwrap()
+}
+
+/// Largest difference of what two runs end at, the second mapped.
+fn apart(a: &Run, b: &Run, map: impl Fn(Vector3<f64>) -> Vector3<f64>) -> f64 {
+    let [x, y] = [a, b].map(|run| run.end.positions());
+    let mut most = (a.end_time - b.end_time).abs();
+    for k in 0..2 {
+        most = most.max((map(x[k]) - y[k]).norm());
+        most = most.max((map(a.end.orientations[k]) - b.end.orientations[k]).norm());
+    }
+    most
+}
+
+/// Whether a pair comes so close to the ends of its run, or of contact, that rounding decides which.
+fn on_the_edge(run: &Run) -> bool {
+    run.end_time < TIME
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn rotated_mirrored_and_exchanged_scenes_have_such_trajectories(
+        scene in any_scene(),
+        axis in direction(),
+        angle in 0.0..TAU,
+    ) {
+        let plain = ran(&scene);
+        prop_assume!(!on_the_edge(&plain));
+        let rotation = Rotation3::from_axis_angle(&Unit::new_normalize(axis), angle);
+        let turn = |v: Vector3<f64>| rotation * v;
+        prop_assert!(apart(&plain, &ran(&mapped(&scene, turn)), turn) < CLOSE);
+        let mirror = |v: Vector3<f64>| v - axis * (2.0 * v.dot(&axis));
+        // Swirl turns the other way in a mirror.
+        let mut mirrored = mapped(&scene, mirror);
+        mirrored.squirmers = scene.squirmers.map(|squirmer| {
+            let swirl: Vec<_> = squirmer.swirl().iter().map(|c| -c).collect();
+            squirmer.with_swirl(&swirl).unwrap()
+        });
+        prop_assert!(apart(&plain, &ran(&mirrored), mirror) < CLOSE);
+        let [one, two] = scene.squirmers;
+        let [first, second] = scene.start;
+        let exchanged =
+            Scene::new([two, one], [second, first], scene.repulsion, scene.gravity).unwrap();
+        let exchanged = ran(&exchanged);
+        for k in 0..2 {
+            let there = plain.end.positions()[k] - exchanged.end.positions()[1 - k];
+            prop_assert!(there.norm() < CLOSE);
+            let turned = plain.end.orientations[k] - exchanged.end.orientations[1 - k];
+            prop_assert!(turned.norm() < CLOSE);
+        }
+    }
+
+    #[test]
+    fn a_passive_pair_without_repulsion_never_moves(
+        scene in any_scene(),
+        heaviness in 0.0..100.0,
+    ) {
+        let passive = Squirmer::new(&[0.0, 0.0]).unwrap().bottom_heavy(heaviness).unwrap();
+        let still = Scene::new([passive; 2], scene.start, None, scene.gravity).unwrap();
+        let run = ran(&still);
+        // The lines of centres are kept as angles: sine and cosine round.
+        let [end, start] = [&run.end, &run.start].map(Configuration::positions);
+        for k in 0..2 {
+            prop_assert!((end[k] - start[k]).norm() < 4.0 * f64::EPSILON);
+        }
+        prop_assert!((run.end.orientations[0] - run.start.orientations[0]).norm() < 4.0 * f64::EPSILON);
+        prop_assert_eq!(run.min_gap, run.start.gap.eps());
+    }
+
+    #[test]
+    fn an_effect_of_strength_zero_is_an_effect_that_is_off(scene in any_scene()) {
+        // Gravity that turns nobody, and modes that are zero.
+        let light = scene.squirmers.map(|s| s.bottom_heavy(0.0).unwrap());
+        let padded = light.map(|s| {
+            let mut modes = s.modes().to_vec();
+            modes.extend([0.0, 0.0]);
+            let mut swirl = s.swirl().to_vec();
+            swirl.extend([0.0, 0.0]);
+            Squirmer::new(&modes).and_then(|padded| padded.with_swirl(&swirl)).unwrap()
+        });
+        let without = Scene::new(light, scene.start, scene.repulsion, None).unwrap();
+        let with = Scene::new(padded, scene.start, scene.repulsion, scene.gravity).unwrap();
+        prop_assert_eq!(ran(&without), ran(&with));
+    }
+
+    #[test]
+    fn effects_of_tiny_strength_tend_to_none(scene in any_scene(), down in direction()) {
+        let light = scene.squirmers.map(|s| s.bottom_heavy(0.0).unwrap());
+        let flat = Plan::new(&scene).unwrap().state() != State::Spatial;
+        let down = if flat { Vector3::new(down.x, down.y, 0.0) } else { down };
+        let gravity = Some(Gravity::new(down).unwrap());
+        let none = Scene::new(light, scene.start, None, None).unwrap();
+        let plain = ran(&none);
+        // At contact itself the limit is singular: any repulsion keeps the spheres apart.
+        prop_assume!(!on_the_edge(&plain) && plain.min_gap > 1e-3);
+        let with = |strength: f64| {
+            let heavy = light.map(|s| s.bottom_heavy(strength).unwrap());
+            let tiny = Repulsion::new(strength, 100.0).unwrap();
+            let run = ran(&Scene::new(heavy, scene.start, Some(tiny), gravity).unwrap());
+            apart(&plain, &run, |v| v)
+        };
+        // Linear in the strength, down to what truncation leaves.
+        prop_assert!(with(1e-9) < CLOSE + 1e-5);
+        prop_assert!(with(1e-13) < CLOSE);
+    }
+
+    #[test]
+    fn no_effect_of_a_plan_can_be_left_out(scene in any_scene(), seeds in prop::array::uniform6(0.0..1.0)) {
+        let plan = Plan::new(&scene).unwrap();
+        // Near contact, where repulsion is felt.
+        let [_, a, b, c, d, e] = seeds;
+        let at = reachable(&plan, [0.0, a, b, c, d, e]);
+        let of = |plan: &Plan| rates(plan, &MODEL(), &at, 1).unwrap();
+        let whole = of(&plan);
+        if plan.repulsion().is_some() {
+            prop_assert_ne!(of(&plan.clone().without_repulsion()), whole);
+        }
+        if plan.gravity().is_some() {
+            prop_assert_ne!(of(&plan.clone().without_gravity()), whole);
+        }
+        if plan.swirl() > 0 {
+            prop_assert_ne!(of(&plan.clone().without_swirl()), whole);
+        }
+        for k in 0..2 {
+            if !scene.squirmers[k].modes().is_empty() {
+                prop_assert_ne!(of(&plan.clone().without_squirming(k)), whole);
+            }
+        }
+        if plan.state() == State::Spatial {
+            // In a plane of constant z something would be lost.
+            let flat = at.line.z == 0.0
+                && at.orientations.iter().all(|p| p.z == 0.0)
+                && plan.swirl() == 0
+                && plan.gravity().is_none_or(|g| g.direction().z == 0.0);
+            prop_assert!(!flat);
+        }
+    }
+
+    #[test]
+    fn what_a_plan_leaves_out_would_change_nothing(scene in any_scene(), seeds in prop::array::uniform6(0.0..1.0)) {
+        let light = scene.squirmers.map(|s| s.bottom_heavy(0.0).unwrap());
+        let idle = Scene::new(light, scene.start, scene.repulsion, scene.gravity).unwrap();
+        for scene in [scene, idle] {
+            let plan = Plan::new(&scene).unwrap();
+            let at = reachable(&plan, seeds);
+            let of = |plan: Plan| rates(&plan, &MODEL(), &at, 1).unwrap();
+            let whole = of(plan.clone());
+            let more = [
+                plan.clone().without_symmetry(),
+                plan.clone().with_idle_gravity(),
+                plan.clone().in_three_dimensions(),
+            ];
+            for more in more {
+                prop_assert!(difference(&whole, &of(more)) < 1e-12 * size(&whole));
+            }
+        }
+    }
+}
+
+/// A configuration that the scene of a plan can reach, as far as its state can tell.
+fn reachable(plan: &Plan, [eps, a, b, c, d, e]: [f64; 6]) -> Configuration {
+    let start = *plan.start();
+    let gap = Gap::new(0.01 + 0.8 * eps).unwrap();
+    let in_plane = |angle: f64| Vector3::new(angle.cos(), angle.sin(), 0.0);
+    match plan.state() {
+        State::Planar => {
+            let [line_angle, one, two] = [a, b, c].map(|seed| TAU * seed);
+            Configuration {
+                gap,
+                line: in_plane(line_angle),
+                orientations: [in_plane(one), in_plane(two)],
+                line_angle,
+                angles: [one, two],
+                ..start
+            }
+        }
+        State::Spatial => {
+            let on_sphere = |z: f64, azimuth: f64| {
+                let z = 1.8 * z - 0.9;
+                in_plane(TAU * azimuth) * (1.0 - z * z).sqrt() + Vector3::z() * z
+            };
+            Configuration {
+                gap,
+                line: on_sphere(a, b),
+                orientations: [on_sphere(c, d), on_sphere(e, a)],
+                ..start
+            }
+        }
+        // Symmetric starts do not come up at random; tests of their own cover them.
+        _ => Configuration { gap, ..start },
+    }
+}
+
+fn parts(rates: &Rates) -> [Vector3<f64>; 4] {
+    let [one, two] = rates.orientations;
+    [rates.midpoint, rates.line, one, two]
+}
+
+fn size(rates: &Rates) -> f64 {
+    (parts(rates).iter().map(Vector3::norm)).fold(rates.ln_gap.abs().max(1.0), f64::max)
+}
+
+fn difference(a: &Rates, b: &Rates) -> f64 {
+    (parts(a).iter().zip(parts(b)))
+        .map(|(a, b)| (a - b).norm())
+        .fold((a.ln_gap - b.ln_gap).abs(), f64::max)
+}
+
+#[test]
+fn symmetric_plans_leave_nothing_out_either() {
+    let plain = Squirmer::with_beta(1.0, 4.0).unwrap();
+    let swirling = plain.with_swirl(&[0.3, 0.8]).unwrap();
+    for angles in [[0.4, PI + 0.4], [0.4, PI - 0.4], [0.0, PI]] {
+        let start = [(-1.01, angles[0]), (1.01, angles[1])].map(|(x, angle)| Pose {
+            position: [x, 0.0, 0.0].into(),
+            orientation: Orientation::Angle(angle),
+        });
+        // Swirl leaves nothing but a pair on one axis as it is.
+        let squirmer = if angles[0] == 0.0 { swirling } else { plain };
+        let scene = Scene::new([squirmer; 2], start, Some(Repulsion::PAPER), None).unwrap();
+        let plan = Plan::new(&scene).unwrap();
+        assert!(plan.state().numbers() < 6 && plan.swirl() == 0);
+        let of = |plan: &Plan| rates(plan, &MODEL(), plan.start(), 1).unwrap();
+        let whole = of(&plan);
+        for more in [
+            plan.clone().without_symmetry(),
+            plan.clone().in_three_dimensions(),
+        ] {
+            assert!(difference(&whole, &of(&more)) < 1e-14 * size(&whole));
+        }
+        assert_ne!(of(&plan.clone().without_repulsion()), whole);
+    }
+}
+
+/// The texts of the scene files.
+fn corpus() -> &'static [String] {
+    static CORPUS: OnceLock<Vec<String>> = OnceLock::new();
+    CORPUS.get_or_init(|| {
+        let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../fixtures/scenes");
+        let mut paths: Vec<_> = std::fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().path())
+            .collect();
+        paths.sort();
+        let mut texts: Vec<_> = (paths.iter())
+            .map(|path| std::fs::read_to_string(path).unwrap())
+            .collect();
+        // All keys, which the paper's cases do not need.
+        let page = include_str!("../../docs/SCENES.md");
+        texts.extend(
+            page.split("```toml\n")
+                .skip(1)
+                .map(|rest| rest.split("```").next().unwrap().to_owned()),
+        );
+        texts
+    })
+}
+
+/// Pieces that mutations put in.
+const PIECES: [&str; 34] = [
+    "0",
+    "-1",
+    "1e308",
+    "-1e-308",
+    "5e-324",
+    "nan",
+    "-inf",
+    "1e400",
+    "0x10",
+    "\"",
+    "'",
+    "[",
+    "]",
+    "{",
+    "}",
+    "=",
+    "#",
+    "\n",
+    ".",
+    ",",
+    "true",
+    "\u{fffd}é",
+    "[[squirmer]]\n",
+    "[run]\n",
+    "beta = ",
+    "modes = [1, 2, 3]\n",
+    "hydrodynamics = \"none\"\n",
+    "hydrodynamics = \"exact\"\n",
+    "repulsion = \"off\"\n",
+    "[gravity]\n",
+    "direction = [0, 0, -1]\n",
+    "max_steps = 99999999\n",
+    "sample_interval = 1e-9\n",
+    "swimming_speed = 1e9\n",
+];
+
+/// One change of a text: where, how much to take out, what to put in.
+type Mutation = (
+    prop::sample::Index,
+    usize,
+    Option<prop::sample::Index>,
+    Option<f64>,
+);
+
+fn mutation() -> impl Strategy<Value = Mutation> {
+    let piece = prop::option::of(any::<prop::sample::Index>());
+    let value = prop::option::weighted(0.3, prop::num::f64::ANY);
+    (any::<prop::sample::Index>(), 0usize..12, piece, value)
+}
+
+fn mutated(text: &str, mutations: &[Mutation]) -> String {
+    let mut text: Vec<char> = text.chars().collect();
+    for (at, remove, piece, value) in mutations {
+        let at = at.index(text.len() + 1);
+        let end = (at + remove).min(text.len());
+        let mut new = piece
+            .map_or("", |piece| PIECES[piece.index(PIECES.len())])
+            .to_owned();
+        if let Some(value) = value {
+            new += &format!("{value:?}");
+        }
+        text.splice(at..end, new.chars());
+    }
+    text.into_iter().collect()
+}
+
+/// Reads a text and, if it is a scene, runs it for a while by a model that needs no table.
+fn read_and_run(text: &str, models: &[Model]) -> Result<(), TestCaseError> {
+    let file = match SceneFile::parse(text) {
+        Ok(file) => file,
+        Err(mistakes) => {
+            prop_assert!(!mistakes.0.is_empty());
+            for mistake in mistakes.0 {
+                prop_assert!(mistake.line >= 1 && mistake.column >= 1);
+                prop_assert_eq!(mistake.to_string().lines().count(), 1, "{}", mistake);
+            }
+            return Ok(());
+        }
+    };
+    let model = (models.iter()).find(|model| model.method() == file.method);
+    let model = model.unwrap_or(&models[0]);
+    let options = RunOptions {
+        max_steps: file.run.max_steps.min(300),
+        sample_interval: None,
+        ..file.run
+    };
+    let plan = Plan::new(&file.scene).unwrap();
+    // It may fail, with a reason; steps are bounded.
+    match model.run(&file.scene, &options) {
+        Ok(run) => {
+            prop_assert!(run.counters.steps <= 300);
+            prop_assert!(run.end_time <= options.end_time);
+        }
+        Err(error) => prop_assert!(!error.to_string().is_empty()),
+    }
+    prop_assert!(!model.explain(&plan).is_empty());
+    Ok(())
+}
+
+#[test]
+fn mutated_scene_files_neither_panic_nor_run_on() {
+    let cases = std::env::var("SQUIRMERS_FUZZ").map_or(3000, |cases| cases.parse().unwrap());
+    let models = [Method::Lt, Method::LtCorrected, Method::Isolated]
+        .map(|method| Model::set_up(method, &ModelOptions::default()).unwrap());
+    let mut runner = TestRunner::new(Config {
+        cases,
+        failure_persistence: None,
+        ..Config::default()
+    });
+    let files = prop::sample::select(corpus());
+    let mutations = prop::collection::vec(mutation(), 0..6);
+    runner
+        .run(&(files, mutations), |(text, mutations)| {
+            read_and_run(&mutated(&text, &mutations), &models)
+        })
+        .unwrap();
+}
+
+#[test]
+fn planned_and_full_runs_of_random_scenes_agree() {
+    let mut runner = TestRunner::new(config());
+    runner
+        .run(&any_scene(), |scene| {
+            let plan = Plan::new(&scene).unwrap();
+            let planned = run_plan(&plan, &MODEL(), &options()).unwrap();
+            if on_the_edge(&planned) {
+                return Ok(());
+            }
+            let spatial = plan.in_three_dimensions();
+            let spatial = run_plan(&spatial, &MODEL(), &options()).unwrap();
+            prop_assert!(apart(&planned, &spatial, |v| v) < CLOSE);
+            Ok(())
+        })
+        .unwrap();
+}
