@@ -50,35 +50,27 @@ impl Default for ModelOptions {
     }
 }
 
-/// Each kind is its own type, so that each has its own compiled loop.
+/// A model chosen at run time.
+pub(crate) type AnyModel = Box<dyn Hydrodynamics>;
+
+/// What a collision's right-hand side is fast enough to notice is its own type, with a compiled loop of
+/// its own; what solves for every load is not.
 enum Kind {
-    Isolated(Isolated),
     Lubrication(Lubrication),
-    ExactTable(Box<Tabulated<Exact>>),
-    ExactDirect(Box<Exact>),
-    BemTable(Box<Tabulated<Bem>>),
-    BemDirect(Box<Bem>),
+    Table(Box<Tabulated<AnyModel>>),
+    Direct(AnyModel),
 }
 
 /// The same expression for the model of each kind.
 macro_rules! on_kind {
     ($kind:expr, $model:ident => $do:expr) => {
         match $kind {
-            Kind::Isolated($model) => $do,
             Kind::Lubrication($model) => $do,
-            Kind::ExactTable(boxed) => {
+            Kind::Table(boxed) => {
                 let $model = boxed.as_ref();
                 $do
             }
-            Kind::ExactDirect(boxed) => {
-                let $model = boxed.as_ref();
-                $do
-            }
-            Kind::BemTable(boxed) => {
-                let $model = boxed.as_ref();
-                $do
-            }
-            Kind::BemDirect(boxed) => {
+            Kind::Direct(boxed) => {
                 let $model = boxed.as_ref();
                 $do
             }
@@ -102,23 +94,23 @@ impl Model {
     pub fn set_up(method: Method, options: &ModelOptions) -> Result<Self, CompareError> {
         let started = Instant::now();
         let kind = match method {
-            Method::Isolated => Kind::Isolated(Isolated),
+            Method::Isolated => Kind::Direct(Box::new(Isolated)),
             Method::Lt => Kind::Lubrication(Lubrication::new(Form::Published)),
             Method::LtCorrected => Kind::Lubrication(Lubrication::new(Form::Corrected)),
-            Method::Exact if options.direct => Kind::ExactDirect(Box::new(Exact::new())),
+            Method::Exact if options.direct => Kind::Direct(Box::new(Exact::new())),
             Method::Exact => {
                 let spec = (EXACT_TABLE_FROM, EXACT_TABLE_TOLERANCE);
-                let table = tabulate(Exact::new(), method, spec, options)?;
-                Kind::ExactTable(Box::new(table))
+                let table = tabulate(Box::new(Exact::new()), method, spec, options)?;
+                Kind::Table(Box::new(table))
             }
             Method::Bem => {
                 let bem = Bem::new(options.mesh)?;
                 if options.direct {
-                    Kind::BemDirect(Box::new(bem))
+                    Kind::Direct(Box::new(bem))
                 } else {
                     let spec = (bem.range().smallest, BEM_TABLE_TOLERANCE);
-                    let table = tabulate(bem, method, spec, options)?;
-                    Kind::BemTable(Box::new(table))
+                    let table = tabulate(Box::new(bem), method, spec, options)?;
+                    Kind::Table(Box::new(table))
                 }
             }
         };
@@ -144,19 +136,15 @@ impl Model {
     /// Whether every load is solved for.
     #[must_use]
     pub fn is_direct(&self) -> bool {
-        matches!(self.kind, Kind::ExactDirect(_) | Kind::BemDirect(_))
+        matches!(self.kind, Kind::Direct(_)) && self.method != Method::Isolated
     }
 
     /// How the table was built, if there is one.
     #[must_use]
     pub fn table(&self) -> Option<TableSummary> {
         match &self.kind {
-            Kind::ExactTable(table) => Some(table.summary()),
-            Kind::BemTable(table) => Some(table.summary()),
-            Kind::Isolated(_)
-            | Kind::Lubrication(_)
-            | Kind::ExactDirect(_)
-            | Kind::BemDirect(_) => None,
+            Kind::Table(table) => Some(table.summary()),
+            Kind::Lubrication(_) | Kind::Direct(_) => None,
         }
     }
 
@@ -238,14 +226,22 @@ impl Hydrodynamics for Model {
     fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         self.hydrodynamics().interacting_loads(gap, set)
     }
+
+    fn interacting_loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        self.hydrodynamics().interacting_loads_with_swirl(gap, set)
+    }
 }
 
-fn tabulate<M: Hydrodynamics>(
-    model: M,
+fn tabulate(
+    model: AnyModel,
     method: Method,
     (smallest_gap, tolerance): (f64, f64),
     options: &ModelOptions,
-) -> Result<Tabulated<M>, CompareError> {
+) -> Result<Tabulated<AnyModel>, CompareError> {
     let table = TableOptions {
         set: options.tabulated,
         tolerance,

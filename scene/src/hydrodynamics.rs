@@ -112,3 +112,55 @@ pub trait Hydrodynamics: Sync {
     /// fingerprint have the same loads, so that a table kept on disk may serve again.
     fn fingerprint(&self) -> String;
 }
+
+/// A model behind a pointer, for callers that choose it at run time: what it costs to find the function is
+/// nothing beside a solve. Loops over a closed form or a table take the model itself.
+impl<H: Hydrodynamics + ?Sized> Hydrodynamics for Box<H> {
+    fn range(&self) -> GapRange {
+        self.as_ref().range()
+    }
+
+    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+        self.as_ref().loads(gap, set)
+    }
+
+    fn loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        self.as_ref().loads_with_swirl(gap, set)
+    }
+
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
+        self.as_ref().error_estimate(gap, set)
+    }
+
+    fn cutoff(&self) -> Option<f64> {
+        self.as_ref().cutoff()
+    }
+
+    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+        self.as_ref().interacting_loads(gap, set)
+    }
+
+    fn interacting_loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        self.as_ref().interacting_loads_with_swirl(gap, set)
+    }
+
+    fn seams(&self) -> Vec<f64> {
+        self.as_ref().seams()
+    }
+
+    fn noise(&self) -> f64 {
+        self.as_ref().noise()
+    }
+
+    fn fingerprint(&self) -> String {
+        self.as_ref().fingerprint()
+    }
+}

@@ -47,12 +47,8 @@ pub(super) fn measure(
                 Ok(model.series_loads(gap, LOADS)?)
             }));
         }
-        for built in &tables.exact {
-            rows.push(at.table_row("exact-table".to_owned(), built));
-        }
-        for built in &tables.bem {
-            let model = format!("bem-{}-table", built.table.model().level());
-            rows.push(at.table_row(model, built));
+        for built in tables.exact.iter().chain(&tables.bem) {
+            rows.push(at.table_row(built));
         }
         for model in &levels {
             let knob = ("level", model.level() as f64);
@@ -90,11 +86,11 @@ impl At {
         row
     }
 
-    fn table_row<M: Hydrodynamics>(&self, model: String, built: &Built<M>) -> CostRow {
+    fn table_row(&self, built: &Built) -> CostRow {
         // From its logarithm, as a trajectory asks.
         let ln_gap = self.gap.ln();
         let knob = ("table tolerance", built.tolerance);
-        let mut row = self.row(&model, knob, || {
+        let mut row = self.row(&built.name, knob, || {
             (built.table).loads(Gap::from_ln(std::hint::black_box(ln_gap)), LOADS)
         });
         row.set_up_seconds = built.seconds;

@@ -36,8 +36,7 @@ pub(super) fn right_hand_sides(
     profile(Method::Lt.name(), &Lubrication::new(Form::Published), rows)?;
     profile("exact-table", &tables.usual_exact().table, rows)?;
     for built in tables.usual_bem() {
-        let name = format!("bem-{}-table", built.table.model().level());
-        profile(&name, &built.table, rows)?;
+        profile(&built.name, &built.table, rows)?;
     }
     Ok(())
 }

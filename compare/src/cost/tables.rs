@@ -4,10 +4,10 @@ use std::time::Instant;
 
 use bem::Bem;
 use exact::Exact;
-use scene::{Hydrodynamics, TableOptions, Tabulated};
+use scene::{TableOptions, Tabulated};
 
 use super::{CostOptions, LOADS};
-use crate::model::EXACT_TABLE_FROM;
+use crate::model::{AnyModel, EXACT_TABLE_FROM};
 use crate::progress::Progress;
 use crate::{BEM_TABLE_TOLERANCE, CompareError, EXACT_TABLE_TOLERANCE};
 
@@ -22,8 +22,12 @@ const EXACT_TOLERANCES: [f64; 4] = [1e-3, 1e-6, EXACT_TABLE_TOLERANCE, 1e-10];
 const BEM_TOLERANCES: [f64; 3] = [1e-2, 1e-4, BEM_TABLE_TOLERANCE];
 
 /// A table, and what building it took.
-pub(super) struct Built<M> {
-    pub(super) table: Tabulated<M>,
+pub(super) struct Built {
+    /// As rows name it.
+    pub(super) name: String,
+    /// Refinement level of boundary elements, 0 for the series.
+    pub(super) level: usize,
+    pub(super) table: Tabulated<AnyModel>,
     pub(super) tolerance: f64,
     pub(super) seconds: f64,
 }
@@ -31,9 +35,9 @@ pub(super) struct Built<M> {
 /// All tables.
 pub(super) struct Tables {
     /// By falling tolerance.
-    pub(super) exact: Vec<Built<Exact>>,
+    pub(super) exact: Vec<Built>,
     /// By level and falling tolerance.
-    pub(super) bem: Vec<Built<Bem>>,
+    pub(super) bem: Vec<Built>,
 }
 
 impl Tables {
@@ -46,7 +50,7 @@ impl Tables {
             } else {
                 SMALLEST_GAP
             };
-            build(Exact::new(), tolerance, from)
+            build(Box::new(Exact::new()), 0, tolerance, from)
         });
         let mut bem = Vec::new();
         for (number, &level) in options.table_levels().iter().enumerate() {
@@ -56,7 +60,12 @@ impl Tables {
                 BEM_TOLERANCES.len() - 1
             };
             for &tolerance in &BEM_TOLERANCES[from..] {
-                bem.push(build(Bem::new(level)?, tolerance, SMALLEST_GAP)?);
+                bem.push(build(
+                    Box::new(Bem::new(level)?),
+                    level,
+                    tolerance,
+                    SMALLEST_GAP,
+                )?);
             }
         }
         Ok(Self {
@@ -66,26 +75,27 @@ impl Tables {
     }
 
     /// The exact table that the commands use.
-    pub(super) fn usual_exact(&self) -> &Built<Exact> {
+    pub(super) fn usual_exact(&self) -> &Built {
         &self.exact[EXACT_TOLERANCES.len() - 2]
     }
 
     /// The table that stands for the exact series where errors of deflections are measured.
-    pub(super) fn referee(&self) -> &Tabulated<Exact> {
+    pub(super) fn referee(&self) -> &Tabulated<AnyModel> {
         &self.exact[EXACT_TOLERANCES.len() - 1].table
     }
 
     /// The finest table of each level of boundary elements.
-    pub(super) fn usual_bem(&self) -> impl Iterator<Item = &Built<Bem>> {
+    pub(super) fn usual_bem(&self) -> impl Iterator<Item = &Built> {
         (self.bem.iter()).filter(|built| built.tolerance <= BEM_TABLE_TOLERANCE)
     }
 }
 
-fn build<M: Hydrodynamics>(
-    model: M,
+fn build(
+    model: AnyModel,
+    level: usize,
     tolerance: f64,
     smallest_gap: f64,
-) -> Result<Built<M>, CompareError> {
+) -> Result<Built, CompareError> {
     let started = Instant::now();
     let options = TableOptions {
         set: LOADS,
@@ -95,7 +105,13 @@ fn build<M: Hydrodynamics>(
     let progress = Progress::counting("tables: gaps solved");
     let table = Tabulated::build(model, options, &|done| progress.set(done))?;
     progress.finish();
+    let name = match level {
+        0 => "exact-table".to_owned(),
+        level => format!("bem-{level}-table"),
+    };
     Ok(Built {
+        name,
+        level,
         table,
         tolerance,
         seconds: started.elapsed().as_secs_f64(),

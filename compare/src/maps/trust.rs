@@ -117,7 +117,8 @@ pub struct TrustShares {
 }
 
 impl TrustShares {
-    /// The shares in the order of [`CLASSES`].
+    /// The shares in the order of the classes: by rising difference, then what is bound alike, then another
+    /// outcome.
     #[must_use]
     pub fn in_order(&self) -> [f64; CLASSES.len()] {
         [
