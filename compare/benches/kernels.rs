@@ -49,7 +49,7 @@ fn velocity<M: Hydrodynamics>(
     });
     let external = External {
         repulsion: repulsion.force(gap),
-        torque: [0.0; 2],
+        torque: None,
     };
     pair_velocity(gap, loads, squirmers, &headings, &external)
 }
@@ -121,7 +121,7 @@ fn force_balance(bencher: Bencher<'_, '_>) {
     });
     let external = External {
         repulsion: 0.1,
-        torque: [0.0; 2],
+        torque: None,
     };
     bencher.bench(|| {
         pair_velocity(

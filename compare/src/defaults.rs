@@ -59,6 +59,10 @@ pub struct Defaults {
     pub offset: OffsetDefaults,
     /// Fig. 8(a-f).
     pub bottom_heavy: Vec<PanelCase>,
+    /// Fig. 2(c).
+    pub example: Vec<PanelCase>,
+    /// Fig. 1(c).
+    pub outcome: Vec<PanelCase>,
 }
 
 impl Defaults {

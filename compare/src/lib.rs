@@ -6,6 +6,7 @@ pub mod cli;
 mod comparison;
 pub mod cost;
 mod defaults;
+pub mod effects;
 mod encounter;
 mod error;
 pub mod figures;

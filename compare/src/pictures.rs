@@ -33,7 +33,16 @@ pub(crate) fn of_offsets(rows: &[OffsetRow]) -> Result<Option<Picture>, CompareE
 
 /// Trajectories under gravity; none where no run has a result.
 pub(crate) fn of_bottom_heavy(runs: &[PanelRun]) -> Result<Option<Picture>, CompareError> {
-    picture("bottom-heavy.svg".to_owned(), figures::bottom_heavy(runs))
+    of_panels("bottom-heavy.svg", "Bottom-heavy squirmers", runs)
+}
+
+/// Trajectories of pairs, a panel for each start; none where no run has a result.
+pub(crate) fn of_panels(
+    file_name: &str,
+    title: &str,
+    runs: &[PanelRun],
+) -> Result<Option<Picture>, CompareError> {
+    picture(file_name.to_owned(), figures::panels(runs, title))
 }
 
 /// A sweep of which nothing could be run has rows that say so, but no picture.

@@ -110,7 +110,7 @@ fn balanced(
 ) -> PairVelocity<f64> {
     let external = External {
         repulsion: Repulsion::PAPER.force(gap),
-        torque: [0.0; 2],
+        torque: None,
     };
     pair_velocity(gap, loads, squirmers, &headings, &external)
 }

@@ -105,10 +105,14 @@ fn lines(rows: &[FateRow], gravity: bool) -> Vec<Line<'_>> {
         .into()
 }
 
+/// Place of the anticlockwise orbits among the lines.
+const ANTICLOCKWISE: usize = 2;
+
 fn stroke(index: usize) -> Stroke {
     Stroke {
         colour: colour(index),
-        width: 2.0,
+        // Orbits of either sense are as frequent: the first shows beside the second.
+        width: if index == ANTICLOCKWISE { 6.0 } else { 2.0 },
         dash: Dash::Solid,
     }
 }

@@ -2,7 +2,6 @@
 //!
 //! A new figure is a function from rows to SVG text beside these, and a section of the page.
 
-mod bottom_heavy;
 mod canvas;
 mod deflection;
 mod fates;
@@ -10,6 +9,7 @@ mod heat;
 mod load_errors;
 mod map;
 mod offset;
+mod panels;
 mod scene_run;
 mod style;
 #[cfg(test)]
@@ -24,12 +24,12 @@ use thiserror::Error;
 
 use crate::{Approach, Method};
 
-pub use bottom_heavy::{ARROW_INTERVAL, bottom_heavy};
 pub use deflection::deflection;
 pub use fates::fates;
 pub use load_errors::load_errors;
 pub use map::scatter;
 pub use offset::offset;
+pub use panels::{ARROW_INTERVAL, panels};
 pub use scene_run::scene_run;
 pub use trajectories::{TICK_INTERVAL, trajectories};
 pub use trust::{trust, trust_against_offset};

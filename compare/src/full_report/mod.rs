@@ -3,6 +3,7 @@
 mod bottom_heavy;
 mod convergence;
 mod cost;
+mod effects;
 mod errors;
 mod maps;
 mod words;
@@ -56,6 +57,7 @@ pub(crate) fn write(
     content
         .sections
         .extend(maps::sections(&models, sweep, out)?);
+    content.sections.push(effects::section(&models)?);
     content.sections.push(cost::section(out)?);
     let page = Page {
         title: "Two squirmers collide: lubrication theory against full hydrodynamics".to_owned(),

@@ -119,6 +119,11 @@ pub(super) fn caption(file_name: &str) -> &'static str {
         "Paths of both squirmers (solid: first, dashed: second), with dots at equal times and the \
          spheres, to scale, at closest approach. Lubrication paths are continued by straight flight; \
          the others end where the two, receding, are 12 apart."
+    } else if file_name.contains("outcomes") {
+        "One start for each outcome of lubrication theory, above; below, the same starts by exact \
+         hydrodynamics."
+    } else if file_name.contains("examples") {
+        "Neutral squirmers from four starts by lubrication theory, above, and by exact hydrodynamics."
     } else if file_name.contains("scatter") {
         "Deflections (of a bound pair: change of orientation up to the end of the run), time spent at gaps \
          up to 1, and outcome."

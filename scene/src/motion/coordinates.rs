@@ -39,7 +39,7 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
     ///
     /// # Errors
     /// Those of the model.
-    #[inline]
+    #[inline(always)]
     fn motion<H, G>(&self, y: &[f64; N], at: &Instant<'_, H, G>) -> Result<[f64; N], SceneError>
     where
         H: Hydrodynamics + ?Sized,
@@ -295,7 +295,7 @@ impl<W: Effect<Swirl>> Coordinates<13> for Spatial<W> {
         spatial_torques(y, gravity, squirmers).map(|torque| torque.cross(&d))
     }
 
-    #[inline]
+    #[inline(always)]
     fn motion<H, G>(&self, y: &[f64; 13], at: &Instant<'_, H, G>) -> Result<[f64; 13], SceneError>
     where
         H: Hydrodynamics + ?Sized,

@@ -1,7 +1,7 @@
 //! The equation of motion: loads, balance and kinematics put together.
 
 use super::coordinates::Coordinates;
-use crate::balance::{External, Transverse, pair_velocity};
+use crate::balance::{External, pair_velocity};
 use crate::ode::System;
 use crate::{Gap, Gravity, Hydrodynamics, LoadSet, Repulsion, SceneError, Squirmer};
 
@@ -54,7 +54,8 @@ where
     R: Effect<Repulsion>,
     G: Effect<Gravity>,
 {
-    #[inline]
+    // One compiled copy, with everything inside it: a step calls it from fifteen places.
+    #[inline(never)]
     fn rhs(&mut self, _t: f64, y: &[f64; N]) -> [f64; N] {
         let gap = Gap::from_ln(y[C::LN_GAP]);
         self.loads += 1;
@@ -90,7 +91,7 @@ pub(crate) struct Instant<'a, H: ?Sized, G> {
 
 impl<H: ?Sized, G: Effect<Gravity>> Instant<'_, H, G> {
     /// Loads of other than hydrodynamic origin.
-    #[inline]
+    #[inline(always)]
     pub fn external<C: Coordinates<N>, const N: usize>(
         &self,
         coordinates: &C,
@@ -98,16 +99,14 @@ impl<H: ?Sized, G: Effect<Gravity>> Instant<'_, H, G> {
     ) -> External<C::Across> {
         External {
             repulsion: self.repulsion,
-            torque: match self.gravity.get() {
-                Some(gravity) => coordinates.gravity_torques(y, gravity, self.squirmers),
-                None => [C::Across::ZERO; 2],
-            },
+            torque: (self.gravity.get())
+                .map(|gravity| coordinates.gravity_torques(y, gravity, self.squirmers)),
         }
     }
 }
 
 /// Time derivative of the state `y` without swirl.
-#[inline]
+#[inline(always)]
 pub(super) fn derivative<H, C, G, const N: usize>(
     coordinates: &C,
     y: &[f64; N],

@@ -1,4 +1,4 @@
-//! Trajectories of bottom-heavy squirmers (the paper's Fig. 8a-f): a column for each panel, a row for
+//! Trajectories of pairs (the paper's Figs 1c, 2c and 8a-f): a column for each panel, a row for
 //! each method; the spheres to scale at the start, arrows along the orientations.
 
 use std::ops::Range;
@@ -51,7 +51,7 @@ fn path(run: &PanelRun, k: usize) -> Vec<(f64, Pose)> {
 ///
 /// # Errors
 /// [`FigureError`] if there is no run with samples.
-pub fn bottom_heavy(runs: &[PanelRun]) -> Result<String, FigureError> {
+pub fn panels(runs: &[PanelRun], title: &str) -> Result<String, FigureError> {
     let methods = methods(runs.iter().map(|run| run.method));
     let mut panels: Vec<&PanelRun> = Vec::new();
     for run in runs {
@@ -68,7 +68,7 @@ pub fn bottom_heavy(runs: &[PanelRun]) -> Result<String, FigureError> {
     let legend_top = TITLE + cell.1 * methods.len() as f64 + 8.0;
     let legend = legend();
     let height = legend_top + legend_height(&legend, width);
-    picture((width, height), "Bottom-heavy squirmers", |canvas| {
+    picture((width, height), title, |canvas| {
         for (row, &method) in methods.iter().enumerate() {
             let top = TITLE + cell.1 * row as f64 + ABOVE;
             canvas.upright_label(method.title(), (NAMES / 2.0, top + PLOT.1 / 2.0))?;
@@ -77,13 +77,12 @@ pub fn bottom_heavy(runs: &[PanelRun]) -> Result<String, FigureError> {
                 let mine = (runs.iter())
                     .find(|run| run.case == *case && run.method == method && run.run.is_ok());
                 let (x, y) = window(mine.unwrap_or(first));
+                let mut title = format!("({}) β = {}", case.panel, number(case.beta));
+                if case.g != 0.0 {
+                    title += &format!(", G = {}", number(case.g));
+                }
                 let axes = Axes {
-                    title: format!(
-                        "({}) β = {}, G = {}",
-                        case.panel,
-                        number(case.beta),
-                        number(case.g)
-                    ),
+                    title,
                     x,
                     y,
                     x_title: "x (radii a)",
@@ -127,7 +126,9 @@ fn draw(panel: &Panel<'_, '_>, run: &PanelRun) -> Result<(), FigureError> {
     for (_, ((x, y), _)) in paths.iter().filter_map(|path| path.first()) {
         points.extend([(x + 1.0, *y), (x - 1.0, *y), (*x, y + 1.0), (*x, y - 1.0)]);
     }
-    panel.gravity(&points)?;
+    if run.case.g != 0.0 {
+        panel.gravity(&points)?;
+    }
     for (k, path) in paths.iter().enumerate() {
         if let Some((_, (at, heading))) = path.first() {
             panel.sphere(*at, *heading, colour(k))?;
