@@ -6,7 +6,7 @@ use crate::{Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, SceneError, SwirlL
 ///
 /// ```
 /// use scene::{Gap, Hydrodynamics, Isolated, LoadSet, PairLoads};
-/// assert_eq!(Isolated.loads(Gap::new(1e-3)?, LoadSet::all(2))?, PairLoads::isolated(2));
+/// assert_eq!(Isolated.loads(Gap::new(1e-3)?, LoadSet::all(2))?, PairLoads::isolated(LoadSet::all(2)));
 /// # Ok::<(), scene::SceneError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

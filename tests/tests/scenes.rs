@@ -101,10 +101,12 @@ fn starts_of_the_maps_from_files_have_the_numbers_of_the_map() {
         ("fig4-pusher-mirror", -5.0, 0.75, 1.0, 0.0),
         ("fig4-pusher-anticlockwise", -5.0, 1.0, 0.75, 0.0),
         ("fig4-pusher-clockwise", -5.0, 1.0, 1.25, 0.0),
-        ("fig8a-upward-puller", 1.0, 1.0, 0.75, 10.0),
-        ("fig8b-upward-neutral", 0.0, 1.0, 0.75, 10.0),
-        ("fig8c-oscillating", -5.0, 0.5, 1.25, 50.0),
-        ("fig8d-drifting-orbit", -5.0, 1.0, 0.75, 1.0),
+        ("fig8a-upward-puller", 1.0, 1.5, 0.6, 10.0),
+        ("fig8b-upward-neutral", 0.0, 1.5, 0.6, 10.0),
+        ("fig8c-splayed", -5.0, 0.5, 1.0, 50.0),
+        ("fig8d-drifting-orbit", -5.0, 1.0, 0.7, 1.0),
+        ("fig8e-downward", 2.0, 1.7, 1.0, 5.0),
+        ("fig8f-u-turn", 2.0, 1.75, 1.05, 5.0),
     ] {
         let file = scene_file(name);
         let options = file.run;
@@ -133,6 +135,22 @@ fn starts_of_the_maps_from_files_have_the_numbers_of_the_map() {
                 assert_relative_eq!(a, b, max_relative = 1e-6, epsilon = 1e-6);
             }
         }
+    }
+}
+
+#[test]
+fn scene_files_of_bound_states_end_in_them() {
+    for (name, outcome) in [
+        ("fig2-neutral-standoff", Outcome::Standoff),
+        ("fig3-puller-pairwise", Outcome::Pairwise),
+        ("fig4-pusher-anticlockwise", Outcome::Anticlockwise),
+        ("fig4-pusher-clockwise", Outcome::Clockwise),
+        ("fig8a-upward-puller", Outcome::Upward),
+        ("fig8b-upward-neutral", Outcome::Upward),
+        ("fig8c-splayed", Outcome::Upward),
+        ("fig8e-downward", Outcome::Downward),
+    ] {
+        assert_eq!(ran(&scene_file(name)).outcome, outcome, "{name}");
     }
 }
 
