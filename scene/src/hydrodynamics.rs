@@ -39,7 +39,7 @@ impl GapRange {
 ///
 /// Orientation enters through closed-form angular factors (see [`crate::loads`]), so this is all
 /// that the force balance and everything after it need to know of the fluid.
-pub trait Hydrodynamics: Sync {
+pub trait Hydrodynamics: Send + Sync {
     /// Gaps for which [`Self::loads`] answers.
     fn range(&self) -> GapRange;
 

@@ -133,7 +133,7 @@ fn pair_frame_motion(loads: &PairLoads, bodies: &[Body; 2]) -> [Vector3<f64>; 2]
     let gap = Gap::new(distance - 2.0).unwrap();
     let external = External {
         repulsion: 0.0,
-        torque: [Vector3::zeros(); 2],
+        torque: None,
     };
     let headings = [heading(0, d), heading(1, -d)];
     let v = pair_velocity(gap, loads, &squirmers, &headings, &external);

@@ -35,17 +35,20 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
         gravity: Gravity,
         squirmers: &[Squirmer; 2],
     ) -> [Self::Across; 2];
-    /// Time derivative of the state at an instant, by the loads of its model.
-    ///
-    /// # Errors
-    /// Those of the model.
+    /// Time derivative of the state at an instant, by the loads of its model; NaN where the model fails,
+    /// and why.
     #[inline(always)]
-    fn motion<H, G>(&self, y: &[f64; N], at: &Instant<'_, H, G>) -> Result<[f64; N], SceneError>
+    fn motion<H, G>(
+        &self,
+        y: &[f64; N],
+        at: &Instant<'_, H, G>,
+        failure: &mut Option<SceneError>,
+    ) -> [f64; N]
     where
         H: Hydrodynamics + ?Sized,
         G: Effect<Gravity>,
     {
-        equations::derivative(self, y, at)
+        equations::derivative(self, y, at, failure)
     }
     /// Time derivative of the state for a velocity of the pair.
     fn derivative(&self, y: &[f64; N], velocity: &PairVelocity<Self::Across>) -> [f64; N];
@@ -296,14 +299,19 @@ impl<W: Effect<Swirl>> Coordinates<13> for Spatial<W> {
     }
 
     #[inline(always)]
-    fn motion<H, G>(&self, y: &[f64; 13], at: &Instant<'_, H, G>) -> Result<[f64; 13], SceneError>
+    fn motion<H, G>(
+        &self,
+        y: &[f64; 13],
+        at: &Instant<'_, H, G>,
+        failure: &mut Option<SceneError>,
+    ) -> [f64; 13]
     where
         H: Hydrodynamics + ?Sized,
         G: Effect<Gravity>,
     {
         match self.swirl.get() {
-            Some(Swirl) => swirling::derivative(self, y, at),
-            None => equations::derivative(self, y, at),
+            Some(Swirl) => swirling::derivative(self, y, at, failure),
+            None => equations::derivative(self, y, at, failure),
         }
     }
 

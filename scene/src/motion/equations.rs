@@ -67,14 +67,7 @@ where
             repulsion: self.repulsion.get().map_or(0.0, |r| r.force(gap)),
             gravity: self.gravity,
         };
-        match self.coordinates.motion(y, &instant) {
-            Ok(dy) => dy,
-            Err(error) => {
-                // A trial step went too far; the stepper retries with a shorter one.
-                self.failure = Some(error);
-                [f64::NAN; N]
-            }
-        }
+        self.coordinates.motion(y, &instant, &mut self.failure)
     }
 }
 
@@ -105,13 +98,15 @@ impl<H: ?Sized, G: Effect<Gravity>> Instant<'_, H, G> {
     }
 }
 
-/// Time derivative of the state `y` without swirl.
+/// Time derivative of the state `y` without swirl; where the model fails, what it said is kept and
+/// nothing is a number: a trial step went too far, and the stepper retries with a shorter one.
 #[inline(always)]
 pub(super) fn derivative<H, C, G, const N: usize>(
     coordinates: &C,
     y: &[f64; N],
     at: &Instant<'_, H, G>,
-) -> Result<[f64; N], SceneError>
+    failure: &mut Option<SceneError>,
+) -> [f64; N]
 where
     H: Hydrodynamics + ?Sized,
     C: Coordinates<N>,
@@ -121,7 +116,10 @@ where
     let loads = at.model.interacting_loads(at.gap, at.set);
     let loads = match &loads {
         Ok(loads) => loads,
-        Err(error) => return Err(error.clone()),
+        Err(error) => {
+            *failure = Some(error.clone());
+            return [f64::NAN; N];
+        }
     };
     let headings = coordinates.headings(y);
     let external = at.external(coordinates, y);
@@ -130,5 +128,5 @@ where
     if let Some(gravity) = at.gravity.get() {
         coordinates.add_axial_spin(y, &mut dy, loads, gravity, at.squirmers);
     }
-    Ok(dy)
+    dy
 }

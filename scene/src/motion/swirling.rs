@@ -16,7 +16,8 @@ pub(super) fn derivative<H, G, W>(
     coordinates: &Spatial<W>,
     y: &[f64; 13],
     at: &Instant<'_, H, G>,
-) -> Result<[f64; 13], SceneError>
+    failure: &mut Option<SceneError>,
+) -> [f64; 13]
 where
     H: Hydrodynamics + ?Sized,
     G: Effect<Gravity>,
@@ -25,7 +26,10 @@ where
     let both = at.model.interacting_loads_with_swirl(at.gap, at.set);
     let (loads, swirl) = match &both {
         Ok(both) => both,
-        Err(error) => return Err(error.clone()),
+        Err(error) => {
+            *failure = Some(error.clone());
+            return [f64::NAN; 13];
+        }
     };
     let d = along_line(y);
     let headings = coordinates.headings(y);
@@ -43,5 +47,5 @@ where
     if let Some(gravity) = at.gravity.get() {
         coordinates.add_axial_spin(y, &mut dy, loads, gravity, at.squirmers);
     }
-    Ok(dy)
+    dy
 }
