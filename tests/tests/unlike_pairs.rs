@@ -50,7 +50,7 @@ fn pair_frame_motions(model: &impl Hydrodynamics, pair: &[Placed; 2]) -> [Motion
     let turned = [0, 1].map(|k| d.cross(&headings[k].transverse));
     let external = External {
         repulsion: 0.0,
-        torque: [Vector3::zeros(); 2],
+        torque: None,
     };
     let both = (&loads, &swirl);
     let v = pair_velocity_with_swirl(gap, both, &squirmers, (&headings, &turned), &external);
