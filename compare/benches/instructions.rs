@@ -158,6 +158,8 @@ mod arithmetic {
         }
     }
 
+    /// As the stepper calls it: a function of its own.
+    #[inline(never)]
     pub fn planar<const REPULSION: bool>(
         y: &[f64; 6],
         squirmers: &[Squirmer; 2],
@@ -182,6 +184,7 @@ mod arithmetic {
         ]
     }
 
+    #[inline(never)]
     pub fn spatial<const REPULSION: bool>(
         y: &[f64; 13],
         squirmers: &[Squirmer; 2],
