@@ -59,6 +59,14 @@ pub enum CompareError {
     /// The embedded cases do not parse.
     #[error("embedded cases: {0}")]
     Cases(#[from] toml::de::Error),
+    /// Hard cases that do not keep their bounds.
+    #[error("{broken} of {bounds} bounds are broken")]
+    BoundsBroken {
+        /// Bounds broken.
+        broken: usize,
+        /// Bounds in all.
+        bounds: usize,
+    },
 }
 
 impl CompareError {
@@ -86,7 +94,11 @@ impl CompareError {
             | Self::Bem(_) => 2,
             Self::Scene(SceneError::Stepper { .. } | SceneError::Model { .. }) => 1,
             Self::Scene(_) => 2,
-            Self::Rows(_) | Self::Json(_) | Self::Figure(_) | Self::Cases(_) => 1,
+            Self::Rows(_)
+            | Self::Json(_)
+            | Self::Figure(_)
+            | Self::Cases(_)
+            | Self::BoundsBroken { .. } => 1,
         }
     }
 }

@@ -11,6 +11,7 @@ mod encounter;
 mod error;
 pub mod figures;
 mod full_report;
+pub mod hard_cases;
 mod load_errors;
 pub mod maps;
 mod method;

@@ -108,6 +108,9 @@ pub(crate) enum Command {
     /// What is computed for a scene and what is not, why, and what it costs
     #[command(after_help = "Example:\n  squirmers explain fixtures/scenes/fig8e-downward.toml")]
     Explain(scene::ExplainArguments),
+    /// Numerically hard cases, each held against a bound; exit status 1 if one is broken
+    #[command(after_help = "Example:\n  squirmers hard-cases --out out")]
+    HardCases,
     /// All of it, with the paper's cases, into one self-contained index.html
     #[command(after_help = "Example:\n  squirmers report --out out && xdg-open out/index.html")]
     Report {

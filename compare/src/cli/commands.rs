@@ -34,6 +34,7 @@ pub(super) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), Compare
         Command::Scatter(map) => maps::scatter(map, arguments),
         Command::Fates(map) => maps::fates(map, arguments),
         Command::BottomHeavy { models, runs } => super::bottom_heavy::run(models, runs, arguments),
+        Command::HardCases => super::hard_cases::run(arguments),
         Command::Trust(map) => maps::trust(map, arguments),
         Command::Run(run) => super::scene::run(run, arguments),
         Command::Explain(explain) => super::scene::explain(explain, arguments),

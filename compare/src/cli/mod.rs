@@ -4,6 +4,7 @@ mod args;
 pub(crate) mod bottom_heavy;
 pub(crate) mod commands;
 mod cost;
+mod hard_cases;
 pub(crate) mod maps;
 mod scene;
 

@@ -5,6 +5,7 @@ mod convergence;
 mod cost;
 mod effects;
 mod errors;
+mod hard_cases;
 mod maps;
 mod words;
 
@@ -58,6 +59,7 @@ pub(crate) fn write(
         .sections
         .extend(maps::sections(&models, sweep, out)?);
     content.sections.push(effects::section(&models)?);
+    content.sections.push(hard_cases::section(options, out)?);
     content.sections.push(cost::section(out)?);
     let page = Page {
         title: "Two squirmers collide: lubrication theory against full hydrodynamics".to_owned(),

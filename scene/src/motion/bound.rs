@@ -100,11 +100,17 @@ pub fn bound_states<H: Hydrodynamics + ?Sized>(
         failure: None,
         loads: 0,
     };
-    model.interacting_loads(Gap::new(GAPS[0])?, motion.set)?;
+    // A model that does not answer for the smallest of them is asked from its own smallest gap on.
+    let range = model.range();
+    let within = |gap: &f64| *gap >= range.smallest && *gap <= range.largest;
+    let gaps: Vec<f64> = GAPS.into_iter().filter(within).collect();
+    if let Some(&smallest) = gaps.first() {
+        model.interacting_loads(Gap::new(smallest)?, motion.set)?;
+    }
     let largest = BELOW_CUT * model.cutoff().unwrap_or(1.0).min(1.0);
     let mut found: Vec<BoundState> = Vec::new();
     let angle = |i: usize| TAU * i as f64 / ANGLES as f64 - PI;
-    for gap in GAPS {
+    for gap in gaps {
         for i in 0..ANGLES {
             // Exchange of the two makes the others of these.
             for j in 0..=i {

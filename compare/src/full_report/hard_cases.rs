@@ -1,0 +1,34 @@
+//! The section on numerically hard cases.
+
+use crate::hard_cases::{Bench, all_rows};
+use crate::output::{OutputFolder, csv_text};
+use crate::report::{Section, Table};
+use crate::{CompareError, ModelOptions};
+
+pub(super) fn section(options: &ModelOptions, out: &OutputFolder) -> Result<Section, CompareError> {
+    let rows = all_rows(&Bench::set_up(options)?);
+    let csv = csv_text(&rows)?;
+    out.write("hard_cases.csv", &csv)?;
+    let broken = rows.iter().filter(|row| !row.holds).count();
+    let verdict = if broken == 0 {
+        format!("All {} bounds hold.", rows.len())
+    } else {
+        format!("{broken} of {} bounds are broken.", rows.len())
+    };
+    Ok(Section {
+        id: "hard-cases".to_owned(),
+        title: "Hard cases".to_owned(),
+        prose: vec![format!(
+            "Contact down to a gap of 1e-14 and 1e-300, stiff forces, unstable states, runs to t = 10,000, \
+             broken symmetry, far separations, random gaps, and the ends of the machine's numbers and files: \
+             each is measured and held against a bound that follows from rounding, the tolerance or a \
+             closed form. {verdict}"
+        )],
+        figures: Vec::new(),
+        tables: vec![Table::from_csv(
+            "What was measured, the largest value allowed, and where that bound comes from.",
+            "hard_cases.csv",
+            &csv,
+        )?],
+    })
+}

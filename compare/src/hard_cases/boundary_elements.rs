@@ -1,0 +1,148 @@
+//! Boundary elements: rotated meshes, random gaps, and refusals.
+
+use bem::{Bem, Body, Lab};
+use exact::Exact;
+use nalgebra::{UnitQuaternion, Vector3};
+use rayon::prelude::*;
+use scene::{Gap, Hydrodynamics, LoadSet, PairLoads};
+
+use super::{Bench, Rows};
+use crate::{CompareError, Method};
+
+const LOADS: LoadSet = LoadSet::all(2);
+
+pub(super) fn cases(_: &Bench, rows: &mut Rows) {
+    let name = Method::Bem.name();
+    rows.attempt(name, "random gaps", random_gaps);
+    rows.attempt(name, "refusals", refusals);
+    rows.attempt(name, "rotated meshes", rotated_meshes);
+}
+
+/// Numbers in [0, 1) that fill it evenly, by additive recurrence with the golden ratio and its relatives.
+fn share(k: usize, of: f64) -> f64 {
+    ((k + 1) as f64 * of).fract()
+}
+
+/// Largest error over the loads, relative to the larger of the load and 1, thrusts to the larger of the load
+/// and 4.
+fn error(loads: &PairLoads, truth: &PairLoads) -> f64 {
+    let pairs = loads.named().into_iter().zip(truth.named());
+    pairs
+        .map(|((name, value), (_, truth))| {
+            let thrust = name == "XF1_1" || name == "YF1_1";
+            (value - truth).abs() / truth.abs().max(if thrust { 4.0 } else { 1.0 })
+        })
+        .fold(0.0, f64::max)
+}
+
+/// Gaps from 1 to 1e-4, seven of eight at level 1, the others at level 2: within three times the estimate,
+/// or refused.
+fn random_gaps(rows: &mut Rows) -> Result<(), CompareError> {
+    const COUNT: usize = 200;
+    let (levels, exact) = ([Bem::new(1)?, Bem::new(2)?], Exact::new());
+    let ratios = (0..COUNT)
+        .into_par_iter()
+        .map(|k| {
+            let gap = Gap::from_ln(1e-4_f64.ln() * share(k, 0.618_033_988_749_895));
+            let model = &levels[usize::from(k % 8 == 7)];
+            if model.check(gap).is_err() {
+                return Ok(None);
+            }
+            let found = error(&model.loads(gap, LOADS)?, &exact.loads(gap, LOADS)?);
+            Ok(Some(found / model.error_estimate(gap, LOADS)?))
+        })
+        .collect::<Result<Vec<Option<f64>>, CompareError>>()?;
+    let silent = ratios
+        .iter()
+        .flatten()
+        .filter(|&&ratio| !(ratio <= 3.0))
+        .count();
+    let refused = ratios.iter().filter(|ratio| ratio.is_none()).count();
+    let name = Method::Bem.name();
+    rows.add(
+        name,
+        format!(
+            "share of {COUNT} gaps, {refused} of them refused, with an error above 3 estimates"
+        ),
+        (
+            0.05,
+            "the estimate is the difference of two levels, whose errors fall by about three",
+        ),
+        silent as f64 / COUNT as f64,
+    );
+    Ok(())
+}
+
+fn refusals(rows: &mut Rows) -> Result<(), CompareError> {
+    let mut answered = 0;
+    for level in Bem::LEVELS.0..=Bem::LEVELS.1 {
+        let model = Bem::new(level)?;
+        let smallest = model.range().smallest;
+        for below in [0.99, 0.1, 1e-3, 1e-12] {
+            answered += usize::from(model.loads(Gap::new(smallest * below)?, LOADS).is_ok());
+        }
+    }
+    rows.add(
+        Method::Bem.name(),
+        "gaps below a level's range that are answered",
+        (0.0, "a mesh that does not resolve the gap refuses it"),
+        answered as f64,
+    );
+    Ok(())
+}
+
+/// The laboratory-frame solver, whose meshes are turned at random, so that no mirror is left.
+fn rotated_meshes(rows: &mut Rows) -> Result<(), CompareError> {
+    const LEVEL: usize = 1;
+    const COUNT: usize = 6;
+    for eps in [1.1, 3.0] {
+        let gap = Gap::new(eps)?;
+        let modes = [1.5, 3.0];
+        let motions = (0..COUNT)
+            .into_par_iter()
+            .map(|k| {
+                let turned = |salt: usize| {
+                    let k = 7 * k + salt;
+                    UnitQuaternion::from_euler_angles(
+                        6.0 * share(k, 0.618_033_988_749_895),
+                        3.0 * share(k, 0.754_877_666_246_693),
+                        6.0 * share(k, 0.569_840_290_998_053),
+                    )
+                };
+                let at = |side: f64, p: [f64; 3], salt: usize| Body {
+                    mesh_rotation: turned(salt),
+                    ..Body::squirmer(
+                        Vector3::x() * (0.5 * side * gap.distance()),
+                        p.into(),
+                        &modes,
+                    )
+                };
+                let bodies = [at(-1.0, [0.6, 0.7, 0.2], 0), at(1.0, [-0.3, 0.5, -0.8], 3)];
+                let motions = Lab::new(LEVEL, &bodies)?.free_motions()?;
+                Ok(motions.iter().map(|m| m.velocity).collect::<Vec<_>>())
+            })
+            .collect::<Result<Vec<_>, CompareError>>()?;
+        let mut scatter = 0.0_f64;
+        for one in &motions {
+            for (a, b) in one.iter().zip(&motions[0]) {
+                scatter = scatter.max((a - b).norm());
+            }
+        }
+        let estimate = Bem::new(LEVEL)?.error_estimate(gap, LOADS)?;
+        // Slip forces 4 B_n and drags 6, each off by the estimate, two squirmers.
+        let strength: f64 = modes.iter().sum();
+        let bound = 2.0 * 2.0 * estimate * 4.0 * strength / 6.0;
+        rows.add(
+            Method::Bem.name(),
+            format!(
+                "gap {eps}: scatter of the velocities over {COUNT} random rotations of both meshes"
+            ),
+            (
+                bound,
+                "estimate x (slip force 4 B over drag 6), of force and drag, two squirmers",
+            ),
+            scatter,
+        );
+    }
+    Ok(())
+}

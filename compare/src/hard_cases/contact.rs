@@ -1,0 +1,283 @@
+//! Contact: gaps from 1e-1 to 1e-14.
+
+use scene::balance::{External, Heading, PairVelocity, pair_velocity};
+use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, Squirmer};
+use serde::Deserialize;
+
+use super::{Bench, Rows};
+use crate::{CompareError, Method, Model};
+
+const LOADS: LoadSet = LoadSet::all(2);
+
+/// Largest relative error of one rounding.
+const ROUNDING: f64 = 0.5 * f64::EPSILON;
+
+/// Velocities by lubrication theory to 50 digits, with the script that made them beside.
+const VELOCITIES: &str = include_str!("../../../fixtures/contact_velocities.csv");
+
+pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
+    for model in bench.models() {
+        rows.attempt(model.method().name(), "loads", |rows| loads(model, rows));
+    }
+    for model in bench.only(&[Method::Lt, Method::LtCorrected]) {
+        let name = model.method().name();
+        rows.attempt(name, "50 digits", |rows| fifty_digits(model, rows));
+    }
+}
+
+/// The gaps `1e-1, 1e-2, ..., 1e-14` that a model answers for.
+fn gaps(model: &Model) -> Result<Vec<Gap>, CompareError> {
+    let all = (1..=14)
+        .map(|decade| Gap::new(10f64.powi(-decade)))
+        .collect::<Result<Vec<_>, _>>()?;
+    Ok(all
+        .into_iter()
+        .filter(|&gap| model.range().check(gap).is_ok())
+        .collect())
+}
+
+fn loads(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
+    let name = model.method().name();
+    let (mut not_finite, mut least, mut most) = (0, f64::INFINITY, 0.0_f64);
+    let (mut lost, mut worst) = (0.0_f64, 0.0_f64);
+    for gap in gaps(model)? {
+        let loads = model.loads(gap, LOADS)?;
+        not_finite += loads.columns().filter(|load| !load.is_finite()).count();
+        for mobility in mobilities(&loads) {
+            least = least.min(mobility / gap.eps());
+            most = most.max(mobility);
+        }
+        for block in blocks(&loads) {
+            let cancelled = block.cancellation();
+            lost = lost.max(cancelled.log10());
+            let error = block.error(gap, &loads)?;
+            worst = worst.max(error / ((3.0 * cancelled + 8.0) * ROUNDING));
+        }
+    }
+    rows.add(
+        name,
+        "loads that are not finite",
+        (0.0, "closed forms"),
+        f64::from(u32::try_from(not_finite).unwrap_or(u32::MAX)),
+    );
+    let from = "dissipation: no mobility of a pair is negative";
+    rows.add(
+        name,
+        "smallest eigenvalue of the mobility over the gap, sign reversed",
+        (-f64::MIN_POSITIVE, from),
+        -least,
+    );
+    let from =
+        "least dissipation: a sphere's own mobility is at most a lone one's, a pair's twice that";
+    rows.add(
+        name,
+        "largest eigenvalue of the mobility over a lone sphere's",
+        (2.0, from),
+        most,
+    );
+    let from = "2 x 2 balance of the singular parts: 1 + L/7 at L = ln(1e14), less than one digit";
+    rows.add(
+        name,
+        "digits lost to cancellation in the force balance",
+        (1.0, from),
+        lost,
+    );
+    let from = "Cramer's rule: 3 roundings times the cancellation, and 8 more";
+    rows.add(
+        name,
+        "error of the velocities (from a residual to 106 bits) over what rounding allows",
+        (1.0, from),
+        worst,
+    );
+    Ok(())
+}
+
+/// Eigenvalues of the mobility matrix over those of lone spheres.
+fn mobilities(loads: &PairLoads) -> Vec<f64> {
+    let single = [
+        loads.xa.sum,
+        loads.xa.difference,
+        loads.xc.sum,
+        loads.xc.difference,
+    ];
+    let mut all: Vec<_> = single.into_iter().map(|drag| 1.0 / drag).collect();
+    for Block { a, b, c } in blocks(loads) {
+        // Drags 6 a, 8 c and -4 b over 6, 8 and sqrt(48).
+        let coupling = b * b / 3.0;
+        let larger = 0.5 * (a + c) + (0.25 * (a - c) * (a - c) + coupling).sqrt();
+        all.extend([1.0 / larger, larger / (a * c - coupling)]);
+    }
+    all
+}
+
+/// A block `[6a, -4b; -4b, 8c]` of the resistance matrix across the line of centres.
+struct Block {
+    a: f64,
+    b: f64,
+    c: f64,
+}
+
+/// Both parities: in-phase and opposed translation.
+fn blocks(loads: &PairLoads) -> [Block; 2] {
+    let PairLoads { ya, yb, yc, .. } = loads;
+    [
+        Block {
+            a: ya.sum,
+            b: yb.sum,
+            c: yc.difference,
+        },
+        Block {
+            a: ya.difference,
+            b: yb.difference,
+            c: yc.sum,
+        },
+    ]
+}
+
+impl Block {
+    /// By how much the determinant is smaller than its first term.
+    fn cancellation(&self) -> f64 {
+        let first = 48.0 * self.a * self.c;
+        first / (first - 16.0 * self.b * self.b)
+    }
+
+    /// Relative error of the velocities that [`pair_velocity`] finds for unit torque: one step of
+    /// refinement, whose residual is formed in twice the digits.
+    fn error(&self, gap: Gap, loads: &PairLoads) -> Result<f64, CompareError> {
+        let opposed = self.a > loads.ya.sum || self.c < loads.yc.difference;
+        let torque = if opposed { [0.5, 0.5] } else { [0.5, -0.5] };
+        let velocity = torqued(gap, loads, torque)?;
+        let (u, w) = if opposed {
+            (
+                -velocity.turning * gap.distance(),
+                velocity.spin[0] + velocity.spin[1],
+            )
+        } else {
+            (
+                2.0 * velocity.mean_transverse,
+                velocity.spin[0] - velocity.spin[1],
+            )
+        };
+        let force = residual(0.0, [(-6.0 * self.a, u), (4.0 * self.b, w)]);
+        let torque = residual(1.0, [(4.0 * self.b, u), (-8.0 * self.c, w)]);
+        let inverse = 1.0 / (48.0 * self.a * self.c - 16.0 * self.b * self.b);
+        let of_u = (8.0 * self.c * force + 4.0 * self.b * torque) * inverse;
+        let of_w = (4.0 * self.b * force + 6.0 * self.a * torque) * inverse;
+        Ok(of_u.abs().max(of_w.abs()) / u.abs().max(w.abs()))
+    }
+}
+
+/// Motion of two passive spheres under torques.
+fn torqued(
+    gap: Gap,
+    loads: &PairLoads,
+    torque: [f64; 2],
+) -> Result<PairVelocity<f64>, CompareError> {
+    let passive = Squirmer::new(&[])?;
+    let ahead = Heading {
+        cosine: 1.0,
+        transverse: 0.0,
+    };
+    let external = External {
+        repulsion: 0.0,
+        torque,
+    };
+    Ok(pair_velocity(
+        gap,
+        loads,
+        &[passive; 2],
+        &[ahead; 2],
+        &external,
+    ))
+}
+
+/// `start` plus two products, with the rounding of every operation carried along.
+fn residual(start: f64, products: [(f64, f64); 2]) -> f64 {
+    let (mut sum, mut rest) = (start, 0.0);
+    for (x, y) in products {
+        let product = x * y;
+        rest += x.mul_add(y, -product);
+        let total = sum + product;
+        let share = total - sum;
+        rest += (sum - (total - share)) + (product - share);
+        sum = total;
+    }
+    sum + rest
+}
+
+#[derive(Deserialize)]
+struct Velocities {
+    form: String,
+    eps: f64,
+    beta: f64,
+    angle1: f64,
+    angle2: f64,
+    opening: f64,
+    mean_axial: f64,
+    mean_transverse: f64,
+    turning: f64,
+    spin1: f64,
+    spin2: f64,
+}
+
+fn fifty_digits(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
+    let name = model.method().name();
+    let mut worst = 0.0_f64;
+    for line in csv::Reader::from_reader(VELOCITIES.as_bytes()).deserialize() {
+        let truth: Velocities = line?;
+        if truth.form != name {
+            continue;
+        }
+        let gap = Gap::new(truth.eps)?;
+        let squirmer = Squirmer::with_beta(1.0, truth.beta)?;
+        let heading = |angle: f64, side: f64| Heading {
+            cosine: angle.cos(),
+            transverse: side * angle.sin(),
+        };
+        let headings = [heading(truth.angle1, 1.0), heading(truth.angle2, -1.0)];
+        let external = External {
+            repulsion: 0.0,
+            torque: [0.0, 0.0],
+        };
+        let found = pair_velocity(
+            gap,
+            &model.loads(gap, LOADS)?,
+            &[squirmer; 2],
+            &headings,
+            &external,
+        );
+        let expected = [
+            truth.opening,
+            truth.mean_axial,
+            truth.mean_transverse,
+            truth.turning,
+            truth.spin1,
+            truth.spin2,
+        ];
+        let found = [
+            found.opening,
+            found.mean_axial,
+            found.mean_transverse,
+            found.turning,
+            found.spin[0],
+            found.spin[1],
+        ];
+        // The axial ones alone, the transverse ones beside the largest of them, which are one system.
+        let across = expected[2..]
+            .iter()
+            .fold(0.0_f64, |most, v| most.max(v.abs()));
+        for (k, (found, expected)) in found.into_iter().zip(expected).enumerate() {
+            let scale = if k < 2 { expected.abs() } else { across };
+            worst = worst.max((found - expected).abs() / scale);
+        }
+    }
+    let from =
+        "loads 6 roundings, sums over modes 10, Cramer's rule 3 x 6 + 8: 42 units of 1.1e-16";
+    rows.add(
+        name,
+        "relative error of the velocities against 50 digits, gaps 1e-1 to 1e-14",
+        (42.0 * ROUNDING, from),
+        worst,
+    );
+    Ok(())
+}

@@ -1,0 +1,125 @@
+//! Collisions next to a line between two outcomes, and how deflections converge elsewhere.
+
+use scene::{Outcome, Run};
+
+use super::standoff::slope;
+use super::{Bench, Rows, SIZE, until};
+use crate::maps::Pair;
+use crate::{Approach, Case, CompareError, Method, Model};
+
+/// The tolerance that the others are held against.
+const TIGHT: f64 = 1e-12;
+
+/// Time by which outcomes differ.
+const TIME: f64 = 200.0;
+
+/// Where lines between outcomes are crossed: squirmer parameter and `Sigma`.
+const CROSSED: [(f64, f64); 3] = [(5.0, 0.7), (-5.0, 0.7), (1.0, 0.8)];
+
+pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
+    for model in bench.only(&[Method::Lt, Method::Exact]) {
+        let name = model.method().name();
+        for (beta, sigma) in CROSSED {
+            let what = format!("beta {beta}, Sigma {sigma}");
+            rows.attempt(name, &what, |rows| crossed(model, beta, sigma, &what, rows));
+        }
+    }
+    for model in bench.only(&[Method::Lt, Method::LtCorrected]) {
+        rows.attempt(model.method().name(), "order", |rows| order(model, rows));
+    }
+}
+
+fn collide(
+    model: &Model,
+    beta: f64,
+    (delta, sigma): (f64, f64),
+    tolerance: f64,
+) -> Result<Run, CompareError> {
+    let scene = Pair {
+        beta,
+        g: 0.0,
+        dz: 0.0,
+    }
+    .scene(delta, sigma)?;
+    Ok(model.run(&scene, &until(TIME, tolerance))?)
+}
+
+fn scatters(
+    model: &Model,
+    beta: f64,
+    at: (f64, f64),
+    tolerance: f64,
+) -> Result<bool, CompareError> {
+    Ok(collide(model, beta, at, tolerance)?.outcome == Outcome::Scattered)
+}
+
+fn crossed(
+    model: &Model,
+    beta: f64,
+    sigma: f64,
+    what: &str,
+    rows: &mut Rows,
+) -> Result<(), CompareError> {
+    let name = model.method().name();
+    let deltas: Vec<_> = (0..40).map(|i| 0.02 + 0.05 * f64::from(i)).collect();
+    let outcomes = (deltas.iter())
+        .map(|&delta| scatters(model, beta, (delta, sigma), TIGHT))
+        .collect::<Result<Vec<_>, _>>()?;
+    let Some(at) = outcomes.windows(2).position(|pair| pair[0] != pair[1]) else {
+        return Ok(());
+    };
+    // Where the outcome changes, at a tolerance.
+    let line = |tolerance: f64| -> Result<f64, CompareError> {
+        let (mut low, mut high) = (deltas[at], deltas[at + 1]);
+        while high - low > 1e-13 {
+            let middle = 0.5 * (low + high);
+            if scatters(model, beta, (middle, sigma), tolerance)? == outcomes[at] {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        Ok(0.5 * (low + high))
+    };
+    let truth = line(TIGHT)?;
+    for tolerance in [1e-6, 1e-8, 1e-10] {
+        let beside = collide(model, beta, (truth - 1e-9, sigma), tolerance)?;
+        let steps = (beside.counters.steps + 1) as f64;
+        let why = "steps x tolerance x (1 + |y|): on the line, what is off does not grow in time that has passed";
+        let bound = steps * tolerance * SIZE + 1e-11;
+        rows.add(name, format!("{what}: shift in Delta of the line between scattered and bound, tolerance {tolerance:e}"), (bound, why), (line(tolerance)? - truth).abs());
+    }
+    Ok(())
+}
+
+/// Away from such lines the deflection converges with the stepper's order, 8, that of the dense output in
+/// which departure is located being 7.
+fn order(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
+    let name = model.method().name();
+    for (approach, beta, dx) in [
+        (Approach::HeadOn, 5.0, 1.0),
+        (Approach::Orthogonal, 1.0, 2.0),
+        (Approach::Orthogonal, -1.0, 1.0),
+    ] {
+        let scene = Case {
+            approach,
+            beta,
+            dx,
+            dz: 0.0,
+        }
+        .scene()?;
+        let truth = model.run(&scene, &until(TIME, 1e-14))?.deflections()[0];
+        let mut points = Vec::new();
+        for half_decade in 8..=20 {
+            let run = model.run(
+                &scene,
+                &until(TIME, 10f64.powf(-0.5 * f64::from(half_decade))),
+            )?;
+            let error = (run.deflections()[0] - truth).abs();
+            points.push(((run.counters.steps as f64).ln(), error.max(1e-15).ln()));
+        }
+        let why = "steps of order 8; 7 for the dense output that locates events";
+        rows.add(name, format!("{approach}, beta {beta}, dx {dx}: slope of the deflection's error against the number of steps"), (-7.0, why), slope(&points));
+    }
+    Ok(())
+}
