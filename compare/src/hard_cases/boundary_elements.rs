@@ -55,7 +55,7 @@ fn random_gaps(rows: &mut Rows) -> Result<(), CompareError> {
     let silent = ratios
         .iter()
         .flatten()
-        .filter(|&&ratio| !(ratio <= 3.0))
+        .filter(|&&ratio| ratio.is_nan() || ratio > 3.0)
         .count();
     let refused = ratios.iter().filter(|ratio| ratio.is_none()).count();
     let name = Method::Bem.name();
