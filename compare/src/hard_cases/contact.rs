@@ -180,7 +180,7 @@ fn torqued(
     };
     let external = External {
         repulsion: 0.0,
-        torque,
+        torque: Some(torque),
     };
     Ok(pair_velocity(
         gap,
@@ -237,7 +237,7 @@ fn fifty_digits(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         let headings = [heading(truth.angle1, 1.0), heading(truth.angle2, -1.0)];
         let external = External {
             repulsion: 0.0,
-            torque: [0.0, 0.0],
+            torque: None,
         };
         let found = pair_velocity(
             gap,
