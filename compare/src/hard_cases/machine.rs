@@ -219,8 +219,8 @@ fn extremes(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
 /// A table that is quick to build.
 const QUICK: TableOptions = TableOptions {
     set: LoadSet::axial(1),
-    tolerance: 1e-3,
-    smallest_gap: 0.01,
+    tolerance: 1e-2,
+    smallest_gap: 0.3,
 };
 
 fn table(folder: &Path) -> Result<Tabulated<Bem>, CompareError> {
@@ -236,7 +236,7 @@ fn table(folder: &Path) -> Result<Tabulated<Bem>, CompareError> {
 fn bits(model: &dyn Hydrodynamics, set: LoadSet) -> Result<Vec<u64>, CompareError> {
     let mut bits = Vec::new();
     for k in 0..20 {
-        let gap = Gap::from_ln(0.02_f64.ln() + 0.4 * f64::from(k));
+        let gap = Gap::from_ln(0.35_f64.ln() + 0.4 * f64::from(k));
         bits.extend(model.loads(gap, set)?.columns().map(f64::to_bits));
     }
     Ok(bits)
@@ -378,7 +378,7 @@ fn threads(bench: &Bench, rows: &mut Rows) -> Result<(), CompareError> {
     let options = TableOptions {
         set: LoadSet::planar(1),
         tolerance: 1e-4,
-        smallest_gap: 0.1,
+        smallest_gap: 0.3,
     };
     let build = |threads: usize| -> Result<Vec<u64>, CompareError> {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build();
