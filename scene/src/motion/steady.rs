@@ -17,7 +17,7 @@ use crate::ode::System;
 
 /// Rate of change of gap and orientations below which a fixed point is sought, at most and over the
 /// tolerance of the trajectory: what is then left to first order is counted, to second order not.
-const NEARLY_STEADY: (f64, f64) = (1e-5, 1e3);
+const NEARLY_STEADY: (f64, f64) = (1e-4, 1e3);
 
 /// The same where an eigenvalue is zero: along its direction Newton's method finds the fixed point
 /// only to about this precision.
