@@ -26,7 +26,7 @@ fn main() -> Result<(), Failure> {
     println!("    eps level nodes aspect    error  order estimate assembly  solve  worst");
     for eps in gaps {
         let gap = Gap::new(eps)?;
-        let truth = exact.loads(gap, LoadSet::all(2))?.named();
+        let truth = exact.loads(gap, LoadSet::all(2))?;
         let mut before: Option<(f64, f64)> = None;
         for level in 1..=highest {
             let model = Bem::new(level)?;
@@ -35,15 +35,7 @@ fn main() -> Result<(), Failure> {
                 continue;
             }
             let solution = model.solve(gap, LoadSet::all(2))?;
-            let errors = solution.loads.named().into_iter().zip(&truth);
-            let (error, name) = errors
-                .map(|((name, value), (_, truth))| {
-                    let thrust = name == "XF1_1" || name == "YF1_1";
-                    let size = truth.abs().max(if thrust { 4.0 } else { 1.0 });
-                    ((value - truth).abs() / size, name)
-                })
-                .max_by(|a, b| a.0.total_cmp(&b.0))
-                .ok_or("no loads")?;
+            let (name, error) = solution.loads.worst_error(&truth);
             let nodes = solution.nodes as f64;
             let order = before.map_or(f64::NAN, |(e, n)| 2.0 * (e / error).ln() / (nodes / n).ln());
             before = Some((error, nodes));

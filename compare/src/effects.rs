@@ -2,7 +2,6 @@
 //! one with swirl, can call for.
 
 use std::f64::consts::PI;
-use std::time::Instant;
 
 use scene::{Gravity, Orientation, Plan, Pose, Repulsion, Scene, SceneError, Squirmer, State};
 use serde::{Deserialize, Serialize};
@@ -122,16 +121,8 @@ impl EffectCase {
     /// # Errors
     /// [`SceneError`] if the model cannot give the loads.
     pub fn seconds(&self, model: &Model) -> Result<f64, SceneError> {
-        const TIMES: usize = 2_000;
-        const REPEATS: usize = 8;
         let plan = Plan::new(&self.scene()?)?;
-        let mut best = f64::INFINITY;
-        for _ in 0..REPEATS {
-            let started = Instant::now();
-            model.rates(&plan, plan.start(), TIMES)?;
-            best = best.min(started.elapsed().as_secs_f64() / TIMES as f64);
-        }
-        Ok(best)
+        model.seconds_of_rates(&plan, plan.start())
     }
 }
 

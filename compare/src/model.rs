@@ -26,6 +26,13 @@ pub const EXACT_TABLE_TOLERANCE: f64 = 1e-9;
 /// interpolates, and the exact loads have a limiting form of their own.
 pub(crate) const EXACT_TABLE_FROM: f64 = 1e-7;
 
+/// Right-hand sides over which a time is taken, and how often it is taken: the shortest counts, for everything
+/// else that the machine does only adds to it.
+const RATES: (usize, usize) = (2000, 15);
+
+/// The same where every load is solved for.
+const SOLVED_RATES: (usize, usize) = (1, 2);
+
 /// How the models are set up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModelOptions {
@@ -181,6 +188,30 @@ impl Model {
         times: usize,
     ) -> Result<Rates, SceneError> {
         on_kind!(&self.kind, model => rates(plan, model, configuration, times))
+    }
+
+    /// Seconds of one right-hand side of a plan at `configuration`: the smallest of a few batches, or of few
+    /// single ones where every load is solved for.
+    ///
+    /// # Errors
+    /// As [`Self::rates`].
+    pub fn seconds_of_rates(
+        &self,
+        plan: &Plan,
+        configuration: &Configuration,
+    ) -> Result<f64, SceneError> {
+        let (times, batches) = if self.is_direct() {
+            SOLVED_RATES
+        } else {
+            RATES
+        };
+        let mut best = f64::INFINITY;
+        for _ in 0..batches {
+            let started = Instant::now();
+            self.rates(plan, configuration, times)?;
+            best = best.min(started.elapsed().as_secs_f64() / times as f64);
+        }
+        Ok(best)
     }
 
     /// Every effect of a plan in words.

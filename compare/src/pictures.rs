@@ -2,7 +2,7 @@
 
 use crate::bottom_heavy::PanelRun;
 use crate::figures::{self, FigureError};
-use crate::maps::{FateRow, Pair, ScatterRow, TrustRow, trust_shares};
+use crate::maps::{FateRow, Pair, ScatterRow, TrustRow, TrustShares, trust_shares};
 use crate::{Approach, CompareError, Encounter, OffsetRow};
 
 /// A picture and the name of its file.
@@ -46,7 +46,7 @@ pub(crate) fn of_panels(
 }
 
 /// A sweep of which nothing could be run has rows that say so, but no picture.
-pub(crate) fn picture(
+fn picture(
     file_name: String,
     svg: Result<String, FigureError>,
 ) -> Result<Option<Picture>, CompareError> {
@@ -101,15 +101,26 @@ pub(crate) fn of_trust(rows: &[TrustRow]) -> Result<Vec<Picture>, CompareError> 
         .collect::<Result<_, _>>()?;
     let mut shares = trust_shares(rows);
     shares.sort_by(|a, b| a.method.cmp(&b.method).then(a.g.total_cmp(&b.g)));
-    for alike in shares.chunk_by(|a, b| a.method == b.method && a.g.total_cmp(&b.g).is_eq()) {
+    drawn.extend(of_trust_against_offset(&shares)?);
+    Ok(drawn)
+}
+
+/// A picture of the shares against the offset for each run of rows of one method and bottom-heaviness with
+/// several offsets.
+pub(crate) fn of_trust_against_offset(
+    shares: &[TrustShares],
+) -> Result<Vec<Picture>, CompareError> {
+    let same =
+        |a: &TrustShares, b: &TrustShares| a.method == b.method && a.g.total_cmp(&b.g).is_eq();
+    let drawn = shares.chunk_by(same).map(|alike| {
         let name = format!(
             "trust-dz-{}{}.svg",
             alike[0].method,
             suffix("g", alike[0].g)
         );
-        drawn.extend(picture(name, figures::trust_against_offset(alike))?);
-    }
-    Ok(drawn)
+        picture(name, figures::trust_against_offset(alike))
+    });
+    drawn.filter_map(Result::transpose).collect()
 }
 
 fn map_name(name: &str, method: &str, Pair { beta, g, dz }: Pair) -> String {

@@ -247,4 +247,19 @@ impl PairLoads {
         }
         rows
     }
+
+    /// The largest error of a scalar against `truth`, which holds the same set, and its name. Errors are
+    /// relative to the larger of the load and 1; to the larger of the load and 4 for the thrusts `XF1_1` and
+    /// `YF1_1`, which are 4 of a lone squirmer.
+    #[must_use]
+    pub fn worst_error(&self, truth: &Self) -> (String, f64) {
+        let both = self.named().into_iter().zip(truth.named());
+        both.map(|((name, value), (_, truth))| {
+            let thrust = matches!(name.as_str(), "XF1_1" | "YF1_1");
+            let scale = truth.abs().max(if thrust { 4.0 } else { 1.0 });
+            (name, (value - truth).abs() / scale)
+        })
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .unwrap_or_default()
+    }
 }

@@ -80,6 +80,18 @@ fn assert_same_motions(found: &[Motion; 2], truth: &[Motion], tolerance: f64) {
     }
 }
 
+/// Motions by the exact series and by boundary elements in the frame of the pair, against boundary elements
+/// in the laboratory frame.
+fn assert_moves_as_in_the_laboratory(pair: &[Placed; 2]) {
+    let truth = laboratory_motions(3, pair);
+    assert_same_motions(&pair_frame_motions(&Exact::new(), pair), &truth, 2e-4);
+    assert_same_motions(
+        &pair_frame_motions(&Bem::new(3).unwrap(), pair),
+        &truth,
+        3e-3,
+    );
+}
+
 #[test]
 fn val_unlike_squirmers_move_as_the_laboratory_frame_says() {
     let one = placed(
@@ -90,13 +102,7 @@ fn val_unlike_squirmers_move_as_the_laboratory_frame_says() {
     );
     let two = placed([1.3, -1.6, 0.9], [0.0, -0.6, 0.8], &[0.6, -1.5], &[]);
     let pair = [one, two];
-    let truth = laboratory_motions(3, &pair);
-    assert_same_motions(&pair_frame_motions(&Exact::new(), &pair), &truth, 2e-4);
-    assert_same_motions(
-        &pair_frame_motions(&Bem::new(3).unwrap(), &pair),
-        &truth,
-        3e-3,
-    );
+    assert_moves_as_in_the_laboratory(&pair);
 }
 
 #[test]
@@ -109,13 +115,7 @@ fn val_squirmers_with_swirl_move_as_the_laboratory_frame_says() {
     );
     let two = placed([1.3, -1.6, 0.9], [0.0, -0.6, 0.8], &[0.6], &[-1.0, 1.5]);
     let pair = [one, two];
-    let truth = laboratory_motions(3, &pair);
-    assert_same_motions(&pair_frame_motions(&Exact::new(), &pair), &truth, 2e-4);
-    assert_same_motions(
-        &pair_frame_motions(&Bem::new(3).unwrap(), &pair),
-        &truth,
-        3e-3,
-    );
+    assert_moves_as_in_the_laboratory(&pair);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use clap::{Arg, Args};
 
 use super::args::{Arguments, ModelArguments, RunArguments};
 use super::commands::{model_options, print_rows, set_up, sweep_options};
-use crate::maps::{self, BoundExample, FateRow, Grid, Pair, ScatterRow, TrustRow, TrustShares};
+use crate::maps::{self, BoundExample, FateRow, Grid, Pair, TrustRow, TrustShares};
 use crate::numbers::{Numbers, parse_numbers};
 use crate::output::{OutputFolder, csv_text};
 use crate::sweep::SweepOptions;
@@ -121,17 +121,8 @@ pub(super) fn scatter(arguments: &MapArguments, general: &Arguments) -> Result<(
     for picture in pictures::of_scatter(&rows)? {
         run.out.write(&picture.file_name, &picture.svg)?;
     }
-    print_fates(&fates_of(&rows, &run));
+    print_fates(&maps::fates_of(&run.models(), &run.pairs, run.grid, &rows));
     Ok(())
-}
-
-/// The shares in each map.
-fn fates_of(rows: &[ScatterRow], run: &Checked) -> Vec<FateRow> {
-    let maps = (run.models.iter()).flat_map(|model| run.pairs.iter().map(move |p| (model, *p)));
-    let points = run.grid.points() * run.grid.points();
-    (maps.zip(rows.chunks(points)))
-        .map(|((model, pair), rows)| maps::fate_of(model.method(), pair, rows))
-        .collect()
 }
 
 pub(super) fn fates(arguments: &MapArguments, general: &Arguments) -> Result<(), CompareError> {

@@ -13,15 +13,6 @@ use crate::output::OutputFolder;
 use crate::scene_run::{self, SampleRow, Summary};
 use crate::{CompareError, Model, ModelOptions, SceneFile};
 
-/// Right-hand sides over which a time is taken, and how often it is taken: the shortest counts, for
-/// everything else that the machine does only adds to it.
-const REPEATS: usize = 2000;
-const TAKES: usize = 15;
-
-/// The same where every load is solved for.
-const DIRECT_REPEATS: usize = 1;
-const DIRECT_TAKES: usize = 2;
-
 #[derive(Debug, Args)]
 pub(crate) struct RunArguments {
     /// Scene file (docs/SCENES.md lists its keys)
@@ -208,18 +199,7 @@ impl<'a> Clock<'a> {
 
     /// Seconds of one right-hand side.
     fn time(&self, model: &Model, plan: &Plan) -> Result<f64, CompareError> {
-        let (repeats, takes) = if model.is_direct() {
-            (DIRECT_REPEATS, DIRECT_TAKES)
-        } else {
-            (REPEATS, TAKES)
-        };
-        let mut shortest = f64::INFINITY;
-        for _ in 0..takes {
-            let started = Instant::now();
-            model.rates(plan, self.plan.start(), repeats)?;
-            shortest = shortest.min(started.elapsed().as_secs_f64() / repeats as f64);
-        }
-        Ok(shortest)
+        Ok(model.seconds_of_rates(plan, self.plan.start())?)
     }
 
     /// What an effect that runs adds to the time of a right-hand side, as a share of the whole; what a

@@ -121,11 +121,10 @@ fn balanced(
 pub(super) fn velocities(tables: &Tables, rows: &mut Vec<CostRow>) -> Result<(), CompareError> {
     let table = &tables.usual_exact().table;
     let referee = Exact::with_terms(REFEREE_TERMS).map_err(SceneError::from)?;
-    let squirmers = [1.0, 5.0].map(|beta| Squirmer::with_beta(1.0, beta));
-    let [Ok(one), Ok(two)] = squirmers else {
-        return Ok(());
-    };
-    let squirmers = [one, two];
+    let squirmers = [
+        Squirmer::with_beta(1.0, 1.0)?,
+        Squirmer::with_beta(1.0, 5.0)?,
+    ];
     for decade in DECADES {
         let gap = Gap::new(10.0_f64.powi(decade))?;
         let headings = ANGLES.map(|angles| angles.map(heading));

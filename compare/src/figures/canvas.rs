@@ -402,32 +402,11 @@ impl<'a> Canvas<'a> {
         size: (f64, f64),
         axes: Axes,
     ) -> Result<Panel<'c, 'a>, FigureError> {
-        self.panel_with(corner, size, axes, (number, number))
+        self.labelled_panel(corner, size, axes, (number, number))
     }
 
-    /// The same with tick labels of one's own along y.
-    pub(super) fn labelled_y_panel<'c>(
-        &'c self,
-        corner: (f64, f64),
-        size: (f64, f64),
-        axes: Axes,
-        label: Label,
-    ) -> Result<Panel<'c, 'a>, FigureError> {
-        self.panel_with(corner, size, axes, (number, label))
-    }
-
-    /// The same with tick labels of one's own.
+    /// The same with tick labels of one's own along x and y.
     pub(super) fn labelled_panel<'c>(
-        &'c self,
-        corner: (f64, f64),
-        size: (f64, f64),
-        axes: Axes,
-        label: Label,
-    ) -> Result<Panel<'c, 'a>, FigureError> {
-        self.panel_with(corner, size, axes, (label, label))
-    }
-
-    fn panel_with<'c>(
         &'c self,
         corner: (f64, f64),
         size: (f64, f64),

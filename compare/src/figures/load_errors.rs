@@ -55,7 +55,7 @@ pub fn load_errors(rows: &[LoadErrorRow]) -> Result<String, FigureError> {
                 cell.0 * column as f64 + LEFT,
                 TITLE + cell.1 * line as f64 + ABOVE,
             );
-            let panel = canvas.labelled_panel(corner, plot, axes, power_of_ten)?;
+            let panel = canvas.labelled_panel(corner, plot, axes, (power_of_ten, power_of_ten))?;
             for &method in &methods {
                 let points: Vec<_> = (rows.iter())
                     .filter(|row| method_of(row) == Some(method) && row.name == name)

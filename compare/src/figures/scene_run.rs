@@ -83,7 +83,7 @@ pub fn scene_run(scene: &Scene, rows: &[SampleRow], spatial: bool) -> Result<Str
             y_title: "gap ε (radii a)",
             ticks: (7, 6),
         };
-        let panel = canvas.labelled_y_panel((LEFT, time_top), PLOT, axes, power_of_ten)?;
+        let panel = canvas.labelled_panel((LEFT, time_top), PLOT, axes, (number, power_of_ten))?;
         panel.line(&gaps, stroke(2))?;
         let angle = |k: usize| -> Vec<_> {
             let of = |row: &SampleRow| [row.angle1_deg, row.angle2_deg][k];

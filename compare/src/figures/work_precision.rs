@@ -211,7 +211,7 @@ fn panel<'c, 'a>(
         y_title: words.y_title,
         ticks: (ticks(x).min(12), ticks(y).min(12)),
     };
-    canvas.labelled_panel(corner, PLOT, axes, power_of_ten)
+    canvas.labelled_panel(corner, PLOT, axes, (power_of_ten, power_of_ten))
 }
 
 fn stroke(index: usize) -> Stroke {

@@ -74,14 +74,7 @@ fn row(
     before: Option<&MeshRow>,
 ) -> Result<MeshRow, CompareError> {
     let solution = bem.solve(gap, LOADS)?;
-    let errors = (solution.loads.named().into_iter().zip(truth.named())).map(|(found, exact)| {
-        let thrust = matches!(exact.0.as_str(), "XF1_1" | "YF1_1");
-        let scale = exact.1.abs().max(if thrust { 4.0 } else { 1.0 });
-        (exact.0, (found.1 - exact.1).abs() / scale)
-    });
-    let (load, worst_error) = errors
-        .max_by(|a, b| a.1.total_cmp(&b.1))
-        .unwrap_or_default();
+    let (load, worst_error) = solution.loads.worst_error(truth);
     let order = before.map_or(f64::NAN, |before| {
         let finer = solution.nodes as f64 / before.nodes as f64;
         2.0 * (before.worst_error / worst_error).ln() / finer.ln()

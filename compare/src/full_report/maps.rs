@@ -1,12 +1,8 @@
 //! The sections on maps over the incoming angles: outcomes (Fig. 1c), deflections (Figs 2-4), shares
 //! (Fig. 5a), and where lubrication theory can be trusted, in the plane and off it.
 
-use serde::Serialize;
-
-use super::written;
-use crate::bottom_heavy::{PanelRun, panel_runs};
+use super::{outcomes, written};
 use crate::cli::maps::SCATTER_BETA;
-use crate::figures;
 use crate::maps::{
     self, BoundRow, FateRow, Grid, Pair, ScatterRow, TrustRow, bound_examples, bound_rows,
     trust_rows,
@@ -15,7 +11,7 @@ use crate::output::{OutputFolder, csv_text};
 use crate::pictures;
 use crate::report::{Section, Table};
 use crate::sweep::SweepOptions;
-use crate::{CompareError, Defaults, Method, Model};
+use crate::{CompareError, Method, Model};
 
 /// Points a side of the maps of Figs 2 to 4, of the shares against beta, and of the trust against the
 /// offset.
@@ -55,8 +51,7 @@ pub(super) fn sections(
         sweep: &sweep,
         out,
     };
-    let mut sections = Vec::new();
-    report.examples(&mut sections)?;
+    let mut sections = vec![outcomes::section(&models, &sweep, out)?];
     let Some(rows) = report.scatter(&mut sections)? else {
         return Ok(sections);
     };
@@ -82,41 +77,6 @@ fn in_plane(beta: f64) -> Pair {
 }
 
 impl Maps<'_> {
-    /// Trajectories of Figs 1(c) and 2(c).
-    fn examples(&self, sections: &mut Vec<Section>) -> Result<(), CompareError> {
-        let defaults = Defaults::paper()?;
-        let (mut figures, mut tables) = (Vec::new(), Vec::new());
-        for (name, title, panels) in [
-            ("outcomes", "What can become of a pair", defaults.outcome),
-            ("examples", "Neutral squirmers meet", defaults.example),
-        ] {
-            let runs = panel_runs(self.models, &panels, self.sweep);
-            let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
-            let csv = csv_text(&rows)?;
-            let file_name = format!("{name}.csv");
-            self.out.write(&file_name, &csv)?;
-            let drawn = pictures::of_panels(&format!("{name}.svg"), title, &runs)?;
-            figures.extend(written(drawn.into_iter().collect(), self.out)?);
-            let summary: Vec<_> = runs.iter().map(ExampleRow::of).collect();
-            let caption = "What became of each pair; the linked file has the trajectories.";
-            let table = Table::from_rows(caption, &file_name, &summary)?;
-            tables.push(Table { csv, ..table });
-        }
-        sections.push(Section {
-            id: "outcomes".to_owned(),
-            title: "Outcomes (Figs 1c and 2c)".to_owned(),
-            prose: vec![
-                "One start for each outcome that lubrication theory has, and neutral squirmers that slide along each \
-                 other (i), turn together (ii, iii) or brush past (iv); below, the same starts by exact \
-                 hydrodynamics. Arrows are orientations."
-                    .to_owned(),
-            ],
-            figures,
-            tables,
-        });
-        Ok(())
-    }
-
     /// Figs 1(c), 2, 3 and 4.
     fn scatter(
         &self,
@@ -133,14 +93,7 @@ impl Maps<'_> {
         };
         let csv = csv_text(&rows)?;
         self.out.write("scatter.csv", &csv)?;
-        let points = SCATTER_GRID * SCATTER_GRID;
-        let maps = self
-            .models
-            .iter()
-            .flat_map(|model| pairs.iter().map(move |p| (model, *p)));
-        let shares: Vec<FateRow> = (maps.zip(rows.chunks(points)))
-            .map(|((model, pair), rows)| maps::fate_of(model.method(), pair, rows))
-            .collect();
+        let shares = maps::fates_of(self.models, &pairs, grid, &rows);
         // Beta by beta, lubrication theory above what judges it.
         let mut drawn = Vec::new();
         for beta in SCATTER_BETA {
@@ -271,12 +224,7 @@ impl Maps<'_> {
         let shares = maps::trust_shares(&rows);
         let csv = csv_text(&shares)?;
         self.out.write("trust_offset.csv", &csv)?;
-        let mut drawn = Vec::new();
-        for of_method in shares.chunk_by(|a, b| a.method == b.method) {
-            let name = format!("trust-dz-{}.svg", of_method[0].method);
-            let svg = figures::trust_against_offset(of_method);
-            drawn.extend(pictures::picture(name, svg)?);
-        }
+        let drawn = pictures::of_trust_against_offset(&shares)?;
         sections.push(Section {
             id: "trust-offset".to_owned(),
             title: title.to_owned(),
@@ -289,40 +237,6 @@ impl Maps<'_> {
             tables: vec![Table::from_csv("Shares of the plane.", "trust_offset.csv", &csv)?],
         });
         Ok(())
-    }
-}
-
-/// What became of an example.
-#[derive(Serialize)]
-struct ExampleRow {
-    panel: String,
-    method: &'static str,
-    beta: f64,
-    delta: f64,
-    sigma: f64,
-    outcome: String,
-    deflection1_deg: f64,
-    deflection2_deg: f64,
-    min_gap: f64,
-    tau: f64,
-}
-
-impl ExampleRow {
-    fn of(example: &PanelRun) -> Self {
-        let run = example.run.as_ref().ok();
-        let deflection = |k: usize| run.map_or(f64::NAN, |r| r.deflections()[k].to_degrees());
-        Self {
-            panel: example.case.panel.clone(),
-            method: example.method.name(),
-            beta: example.case.beta,
-            delta: example.case.delta,
-            sigma: example.case.sigma,
-            outcome: run.map_or("failed".to_owned(), |run| run.outcome.to_string()),
-            deflection1_deg: deflection(0),
-            deflection2_deg: deflection(1),
-            min_gap: run.map_or(f64::NAN, |run| run.min_gap),
-            tau: run.map_or(f64::NAN, |run| run.contact_time),
-        }
     }
 }
 

@@ -7,6 +7,7 @@ mod effects;
 mod errors;
 mod hard_cases;
 mod maps;
+mod outcomes;
 mod words;
 
 use std::path::PathBuf;

@@ -4,7 +4,7 @@ use bem::{Bem, Body, Lab};
 use exact::Exact;
 use nalgebra::{UnitQuaternion, Vector3};
 use rayon::prelude::*;
-use scene::{Gap, Hydrodynamics, LoadSet, PairLoads};
+use scene::{Gap, Hydrodynamics, LoadSet};
 
 use super::{Bench, Rows};
 use crate::{CompareError, Method};
@@ -23,18 +23,6 @@ fn share(k: usize, of: f64) -> f64 {
     ((k + 1) as f64 * of).fract()
 }
 
-/// Largest error over the loads, relative to the larger of the load and 1, thrusts to the larger of the load
-/// and 4.
-fn error(loads: &PairLoads, truth: &PairLoads) -> f64 {
-    let pairs = loads.named().into_iter().zip(truth.named());
-    pairs
-        .map(|((name, value), (_, truth))| {
-            let thrust = name == "XF1_1" || name == "YF1_1";
-            (value - truth).abs() / truth.abs().max(if thrust { 4.0 } else { 1.0 })
-        })
-        .fold(0.0, f64::max)
-}
-
 /// Gaps from 1 to 1e-4, seven of eight at level 1, the others at level 2: within three times the estimate,
 /// or refused.
 fn random_gaps(rows: &mut Rows) -> Result<(), CompareError> {
@@ -50,7 +38,8 @@ fn random_gaps(rows: &mut Rows) -> Result<(), CompareError> {
             if model.check(gap).is_err() {
                 return Ok(None);
             }
-            let found = error(&model.loads(gap, LOADS)?, &exact.loads(gap, LOADS)?);
+            let loads = model.loads(gap, LOADS)?;
+            let (_, found) = loads.worst_error(&exact.loads(gap, LOADS)?);
             Ok(Some(found / model.error_estimate(gap, LOADS)?))
         })
         .collect::<Result<Vec<Option<f64>>, CompareError>>()?;

@@ -110,10 +110,19 @@ pub fn fates(
     Ok(Some(rows))
 }
 
-/// The shares in one map that has been run already.
+/// The shares in maps that have been run already: the rows of [`scatter`](super::scatter) of the same
+/// models, pairs and grid.
 #[must_use]
-pub fn fate_of(method: Method, pair: Pair, rows: &[ScatterRow]) -> FateRow {
-    fate_row(method, pair, &[Counts::of(rows)])
+pub fn fates_of(
+    models: &[&Model],
+    pairs: &[Pair],
+    grid: Grid,
+    rows: &[ScatterRow],
+) -> Vec<FateRow> {
+    let maps = (models.iter()).flat_map(|model| pairs.iter().map(move |pair| (model, *pair)));
+    maps.zip(rows.chunks(grid.points() * grid.points()))
+        .map(|((model, pair), rows)| fate_row(model.method(), pair, &[Counts::of(rows)]))
+        .collect()
 }
 
 fn fate_row(method: Method, pair: Pair, lines: &[Counts]) -> FateRow {

@@ -20,7 +20,7 @@ use crate::{CompareError, Model};
 use resume::Journal;
 
 pub use bound::{BoundExample, BoundRow, bound_examples, bound_rows};
-pub use fates::{FateRow, fate_of, fates};
+pub use fates::{FateRow, fates, fates_of};
 pub use grid::{Grid, Pair};
 pub use scatter::{ScatterRow, scatter, scatter_row};
 pub(crate) use trust::{CLASSES as TRUST_CLASSES, same_map};

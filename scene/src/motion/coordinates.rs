@@ -62,15 +62,18 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
     fn restored(&self, configuration: Configuration) -> Configuration {
         configuration
     }
-    /// What gravity adds to [`Self::derivative`]: spin about the line of centres.
+    /// What gravity adds to [`Self::derivative`]: spin about the line of centres. Nothing in a plane, to which
+    /// its torques are perpendicular.
+    #[inline]
     fn add_axial_spin(
         &self,
-        y: &[f64; N],
-        dy: &mut [f64; N],
-        loads: &PairLoads,
-        gravity: Gravity,
-        squirmers: &[Squirmer; 2],
-    );
+        _y: &[f64; N],
+        _dy: &mut [f64; N],
+        _loads: &PairLoads,
+        _gravity: Gravity,
+        _squirmers: &[Squirmer; 2],
+    ) {
+    }
 }
 
 /// Motion in a plane of constant z:
@@ -190,18 +193,6 @@ impl Coordinates<6> for Planar {
                 turned(y[THETA] + PI + y[5]) * (dy[THETA] + dy[5]),
             ],
         }
-    }
-
-    #[inline]
-    fn add_axial_spin(
-        &self,
-        _: &[f64; 6],
-        _: &mut [f64; 6],
-        _: &PairLoads,
-        _: Gravity,
-        _: &[Squirmer; 2],
-    ) {
-        // Torques are perpendicular to the plane, hence to the line of centres.
     }
 }
 

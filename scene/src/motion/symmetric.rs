@@ -9,7 +9,7 @@ use super::configuration::{Configuration, Rates, unwind};
 use super::coordinates::Coordinates;
 use super::steady::Relative;
 use crate::balance::{Heading, PairVelocity};
-use crate::{Gap, Gravity, PairLoads, Squirmer};
+use crate::{Gap, Gravity, Squirmer};
 
 /// Unit vector at an angle in the x-y plane.
 fn direction(angle: f64) -> Vector3<f64> {
@@ -103,17 +103,6 @@ impl Coordinates<3> for PointSymmetric {
             angles: [c.angles[0], c.angles[0] + self.ahead],
             ..c
         }
-    }
-
-    fn add_axial_spin(
-        &self,
-        _: &[f64; 3],
-        _: &mut [f64; 3],
-        _: &PairLoads,
-        _: Gravity,
-        _: &[Squirmer; 2],
-    ) {
-        // Torques are perpendicular to the plane.
     }
 }
 
@@ -216,17 +205,6 @@ impl Coordinates<3> for MirrorSymmetric {
             ..c
         }
     }
-
-    fn add_axial_spin(
-        &self,
-        _: &[f64; 3],
-        _: &mut [f64; 3],
-        _: &PairLoads,
-        _: Gravity,
-        _: &[Squirmer; 2],
-    ) {
-        // Torques are perpendicular to the plane.
-    }
 }
 
 /// A pair whose orientations lie along the line of centres, which is fixed: position of the midpoint
@@ -307,16 +285,5 @@ impl Coordinates<2> for Axisymmetric {
             midpoint: self.start.midpoint + self.start.line * along,
             ..self.start
         }
-    }
-
-    fn add_axial_spin(
-        &self,
-        _: &[f64; 2],
-        _: &mut [f64; 2],
-        _: &PairLoads,
-        _: Gravity,
-        _: &[Squirmer; 2],
-    ) {
-        // Without torques there is no spin.
     }
 }
