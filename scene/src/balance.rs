@@ -82,13 +82,12 @@ fn squirming<T: Transverse>(
     let mut axial = SelfOther::default();
     let mut force = [0.0; 4];
     let [one, two] = headings;
-    let [b1, b2] = [squirmers[0].modes(), squirmers[1].modes()];
     let orders = legendre(one.cosine).zip(legendre(two.cosine));
     // Per unit transverse heading of squirmer 1 and 2: [F+, F-, T+, T-], each a pair.
     let mut second = [0.0; 4];
-    for (n, (mode, (of_one, of_two))) in loads.modes().iter().zip(orders).enumerate() {
-        let b1 = b1.get(n).copied().unwrap_or(0.0);
-        let b2 = b2.get(n).copied().unwrap_or(0.0);
+    for (n, (of_one, of_two)) in (0..loads.set().modes).zip(orders) {
+        let mode = loads.mode(n);
+        let [b1, b2] = [squirmers[0].mode(n), squirmers[1].mode(n)];
         let (q1, q2) = (b1 * of_one.p, b2 * of_two.p);
         axial.sum += (q1 - q2) * mode.xf.sum;
         axial.difference += (q1 + q2) * mode.xf.difference;

@@ -180,6 +180,13 @@ impl PairLoads {
         &self.modes[..self.set.modes]
     }
 
+    /// Loads by the mode `n + 1`, zero beyond those there are; without a slice, so that a constant `n`
+    /// is found at compile time.
+    #[inline(always)]
+    pub(crate) fn mode(&self, n: usize) -> ModeLoads {
+        self.modes.get(n).copied().unwrap_or(NO_LOADS)
+    }
+
     /// The same, to fill in.
     #[inline]
     pub fn modes_mut(&mut self) -> &mut [ModeLoads] {

@@ -87,6 +87,12 @@ impl Squirmer {
         &self.modes[..self.count]
     }
 
+    /// `B_{n+1}`, zero beyond the highest.
+    #[inline(always)]
+    pub(crate) fn mode(&self, n: usize) -> f64 {
+        self.modes.get(n).copied().unwrap_or(0.0)
+    }
+
     /// Swirl modes `C_1, C_2, …` up to the highest that is not zero.
     #[inline]
     #[must_use]

@@ -35,12 +35,13 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
         gravity: Gravity,
         squirmers: &[Squirmer; 2],
     ) -> [Self::Across; 2];
-    /// Time derivative of the state at an instant, by the loads of its model; NaN where the model fails,
+    /// Time derivative of the state at an instant, by its headings and the loads of its model; NaN where the model fails,
     /// and why.
     #[inline(always)]
     fn motion<H, G>(
         &self,
         y: &[f64; N],
+        headings: &[Heading<Self::Across>; 2],
         at: &Instant<'_, H, G>,
         failure: &mut Option<SceneError>,
     ) -> [f64; N]
@@ -48,7 +49,7 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
         H: Hydrodynamics + ?Sized,
         G: Effect<Gravity>,
     {
-        equations::derivative(self, y, at, failure)
+        equations::derivative(self, y, headings, at, failure)
     }
     /// Time derivative of the state for a velocity of the pair.
     fn derivative(&self, y: &[f64; N], velocity: &PairVelocity<Self::Across>) -> [f64; N];
@@ -105,7 +106,10 @@ impl Coordinates<6> for Planar {
     fn decode(&self, y: &[f64; 6], _previous: &Configuration) -> Configuration {
         let [x, y0, theta, ln_gap, a1, a2] = *y;
         let angles = [theta + a1, theta + PI + a2];
-        let direction = |angle: f64| Vector3::new(angle.cos(), angle.sin(), 0.0);
+        let direction = |angle: f64| {
+            let (sin, cos) = angle.sin_cos();
+            Vector3::new(cos, sin, 0.0)
+        };
         Configuration {
             gap: Gap::from_ln(ln_gap),
             midpoint: Vector3::new(x, y0, self.z),
@@ -293,6 +297,7 @@ impl<W: Effect<Swirl>> Coordinates<13> for Spatial<W> {
     fn motion<H, G>(
         &self,
         y: &[f64; 13],
+        headings: &[Heading<Vector3<f64>>; 2],
         at: &Instant<'_, H, G>,
         failure: &mut Option<SceneError>,
     ) -> [f64; 13]
@@ -301,8 +306,8 @@ impl<W: Effect<Swirl>> Coordinates<13> for Spatial<W> {
         G: Effect<Gravity>,
     {
         match self.swirl.get() {
-            Some(Swirl) => swirling::derivative(self, y, at, failure),
-            None => equations::derivative(self, y, at, failure),
+            Some(Swirl) => swirling::derivative(self, y, headings, at, failure),
+            None => equations::derivative(self, y, headings, at, failure),
         }
     }
 

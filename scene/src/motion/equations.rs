@@ -1,7 +1,7 @@
 //! The equation of motion: loads, balance and kinematics put together.
 
 use super::coordinates::Coordinates;
-use crate::balance::{External, pair_velocity};
+use crate::balance::{External, Heading, pair_velocity};
 use crate::ode::System;
 use crate::{Gap, Gravity, Hydrodynamics, LoadSet, Repulsion, SceneError, Squirmer};
 
@@ -57,17 +57,45 @@ where
     // One compiled copy, with everything inside it: a step calls it from fifteen places.
     #[inline(never)]
     fn rhs(&mut self, _t: f64, y: &[f64; N]) -> [f64; N] {
+        // Two modes, the usual number, are known to the compiler: it keeps their loads out of memory.
+        match self.set.modes {
+            2 => self.derivative(
+                y,
+                LoadSet {
+                    modes: 2,
+                    ..self.set
+                },
+            ),
+            _ => self.derivative(y, self.set),
+        }
+    }
+}
+
+impl<H, C, R, G> PairMotion<'_, H, C, R, G>
+where
+    H: Hydrodynamics + ?Sized,
+    R: Effect<Repulsion>,
+    G: Effect<Gravity>,
+{
+    #[inline(always)]
+    fn derivative<const N: usize>(&mut self, y: &[f64; N], set: LoadSet) -> [f64; N]
+    where
+        C: Coordinates<N>,
+    {
+        // First what waits for nothing: sines overlap with the gap's exponential and the repulsion's.
+        let headings = self.coordinates.headings(y);
         let gap = Gap::from_ln(y[C::LN_GAP]);
         self.loads += 1;
         let instant = Instant {
             model: self.model,
-            set: self.set,
+            set,
             squirmers: &self.squirmers,
             gap,
             repulsion: self.repulsion.get().map_or(0.0, |r| r.force(gap)),
             gravity: self.gravity,
         };
-        self.coordinates.motion(y, &instant, &mut self.failure)
+        self.coordinates
+            .motion(y, &headings, &instant, &mut self.failure)
     }
 }
 
@@ -104,6 +132,7 @@ impl<H: ?Sized, G: Effect<Gravity>> Instant<'_, H, G> {
 pub(super) fn derivative<H, C, G, const N: usize>(
     coordinates: &C,
     y: &[f64; N],
+    headings: &[Heading<C::Across>; 2],
     at: &Instant<'_, H, G>,
     failure: &mut Option<SceneError>,
 ) -> [f64; N]
@@ -121,9 +150,8 @@ where
             return [f64::NAN; N];
         }
     };
-    let headings = coordinates.headings(y);
     let external = at.external(coordinates, y);
-    let velocity = pair_velocity(at.gap, loads, at.squirmers, &headings, &external);
+    let velocity = pair_velocity(at.gap, loads, at.squirmers, headings, &external);
     let mut dy = coordinates.derivative(y, &velocity);
     if let Some(gravity) = at.gravity.get() {
         coordinates.add_axial_spin(y, &mut dy, loads, gravity, at.squirmers);

@@ -1,9 +1,11 @@
 //! The equation of motion with swirl, which only motion in three dimensions has: it pushes and turns
 //! squirmers out of any plane.
 
+use nalgebra::Vector3;
+
 use super::coordinates::{Coordinates, Spatial, along_line, spin_about};
 use super::equations::{Effect, Instant};
-use crate::balance::{axial_spin_by_swirl, pair_velocity_with_swirl};
+use crate::balance::{Heading, axial_spin_by_swirl, pair_velocity_with_swirl};
 use crate::{Gravity, Hydrodynamics, SceneError};
 
 /// The effect of swirl. Its modes are the squirmers' own.
@@ -15,6 +17,7 @@ pub(crate) struct Swirl;
 pub(super) fn derivative<H, G, W>(
     coordinates: &Spatial<W>,
     y: &[f64; 13],
+    headings: &[Heading<Vector3<f64>>; 2],
     at: &Instant<'_, H, G>,
     failure: &mut Option<SceneError>,
 ) -> [f64; 13]
@@ -32,17 +35,16 @@ where
         }
     };
     let d = along_line(y);
-    let headings = coordinates.headings(y);
     let turned = [0, 1].map(|k| d.cross(&headings[k].transverse));
     let velocity = pair_velocity_with_swirl(
         at.gap,
         (loads, swirl),
         at.squirmers,
-        (&headings, &turned),
+        (headings, &turned),
         &at.external(coordinates, y),
     );
     let mut dy = coordinates.derivative(y, &velocity);
-    let spins = axial_spin_by_swirl((loads, swirl), at.squirmers, &headings);
+    let spins = axial_spin_by_swirl((loads, swirl), at.squirmers, headings);
     spin_about(&d, y, &mut dy, spins);
     if let Some(gravity) = at.gravity.get() {
         coordinates.add_axial_spin(y, &mut dy, loads, gravity, at.squirmers);

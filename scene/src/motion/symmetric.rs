@@ -13,7 +13,8 @@ use crate::{Gap, Gravity, Squirmer};
 
 /// Unit vector at an angle in the x-y plane.
 fn direction(angle: f64) -> Vector3<f64> {
-    Vector3::new(angle.cos(), angle.sin(), 0.0)
+    let (sin, cos) = angle.sin_cos();
+    Vector3::new(cos, sin, 0.0)
 }
 
 /// Unit vector a quarter turn on.
