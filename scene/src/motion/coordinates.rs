@@ -35,8 +35,8 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
         gravity: Gravity,
         squirmers: &[Squirmer; 2],
     ) -> [Self::Across; 2];
-    /// Time derivative of the state at an instant, by its headings and the loads of its model; NaN where the model fails,
-    /// and why.
+    /// Time derivative of the state at an instant, by its headings and the loads of its model; NaN where
+    /// the model fails, and why.
     #[inline(always)]
     fn motion<H, G>(
         &self,
@@ -77,6 +77,12 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
     }
 }
 
+/// Unit vector at an angle in the x-y plane.
+pub(super) fn direction(angle: f64) -> Vector3<f64> {
+    let (sin, cos) = angle.sin_cos();
+    Vector3::new(cos, sin, 0.0)
+}
+
 /// Motion in a plane of constant z:
 /// midpoint x, y; angle of the line of centres; `ln eps`; and each orientation's angle measured
 /// from the direction to the other sphere (so that a facing pair has zeros, exactly).
@@ -106,10 +112,6 @@ impl Coordinates<6> for Planar {
     fn decode(&self, y: &[f64; 6], _previous: &Configuration) -> Configuration {
         let [x, y0, theta, ln_gap, a1, a2] = *y;
         let angles = [theta + a1, theta + PI + a2];
-        let direction = |angle: f64| {
-            let (sin, cos) = angle.sin_cos();
-            Vector3::new(cos, sin, 0.0)
-        };
         Configuration {
             gap: Gap::from_ln(ln_gap),
             midpoint: Vector3::new(x, y0, self.z),

@@ -59,14 +59,14 @@ where
     fn rhs(&mut self, _t: f64, y: &[f64; N]) -> [f64; N] {
         // Two modes, the usual number, are known to the compiler: it keeps their loads out of memory.
         match self.set.modes {
-            2 => self.derivative(
+            2 => self.evaluate(
                 y,
                 LoadSet {
                     modes: 2,
                     ..self.set
                 },
             ),
-            _ => self.derivative(y, self.set),
+            _ => self.evaluate(y, self.set),
         }
     }
 }
@@ -77,8 +77,9 @@ where
     R: Effect<Repulsion>,
     G: Effect<Gravity>,
 {
+    /// The right-hand side with the loads of `set`.
     #[inline(always)]
-    fn derivative<const N: usize>(&mut self, y: &[f64; N], set: LoadSet) -> [f64; N]
+    fn evaluate<const N: usize>(&mut self, y: &[f64; N], set: LoadSet) -> [f64; N]
     where
         C: Coordinates<N>,
     {

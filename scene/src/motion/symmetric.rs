@@ -6,16 +6,10 @@ use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
 
 use super::configuration::{Configuration, Rates, unwind};
-use super::coordinates::Coordinates;
+use super::coordinates::{Coordinates, direction};
 use super::steady::Relative;
 use crate::balance::{Heading, PairVelocity};
 use crate::{Gap, Gravity, Squirmer};
-
-/// Unit vector at an angle in the x-y plane.
-fn direction(angle: f64) -> Vector3<f64> {
-    let (sin, cos) = angle.sin_cos();
-    Vector3::new(cos, sin, 0.0)
-}
 
 /// Unit vector a quarter turn on.
 fn across(v: Vector3<f64>) -> Vector3<f64> {
