@@ -76,6 +76,17 @@ impl LoadSet {
         Self { swirl, ..self }
     }
 
+    /// The loads that are in this set or in the other.
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        Self {
+            modes: self.modes.max(other.modes),
+            transverse: self.transverse || other.transverse,
+            twist: self.twist || other.twist,
+            swirl: self.swirl.max(other.swirl),
+        }
+    }
+
     /// Whether every load of `other` is in this set.
     #[inline]
     #[must_use]
