@@ -68,10 +68,12 @@ impl ModelOptions {
         self,
         scenes: impl IntoIterator<Item = Result<Scene, SceneError>>,
     ) -> Result<Self, CompareError> {
-        let mut tabulated = LoadSet::axial(0);
+        let mut read: Option<LoadSet> = None;
         for scene in scenes {
-            tabulated = tabulated.union(Plan::new(&scene?)?.load_set());
+            let set = Plan::new(&scene?)?.load_set();
+            read = Some(read.map_or(set, |read| read.union(set)));
         }
+        let tabulated = read.unwrap_or(LoadSet::axial(0));
         Ok(Self { tabulated, ..self })
     }
 }

@@ -10,8 +10,8 @@ use compare::maps::{Pair, unsymmetric_starts};
 use compare::{Approach, Case, Method, Model, ModelOptions, SceneFile};
 use lt::{Form, Lubrication};
 use scene::{
-    Gap, GapRange, Gravity, Hydrodynamics, LoadSet, Orientation, PairLoads, Plan, Pose, RunOptions,
-    Scene, SceneError, Squirmer, SwirlLoads, TableOptions, Tabulated, run_plan,
+    Exchange, Gap, GapRange, Gravity, Hydrodynamics, LoadSet, Orientation, PairLoads, Plan, Pose,
+    RunOptions, Scene, SceneError, Squirmer, SwirlLoads, TableOptions, Tabulated, run_plan,
 };
 
 /// A model that counts what it is asked for.
@@ -71,6 +71,11 @@ fn scene(angles: [f64; 2], lift: f64, squirmer: Squirmer, gravity: Option<Gravit
     Scene::new([squirmer; 2], start, None, gravity).unwrap()
 }
 
+/// What a pair reads whose identical members face each other: no drift along the line of centres.
+fn facing(modes: usize) -> LoadSet {
+    LoadSet::axial(modes).of_symmetric(Exchange::Mirror)
+}
+
 /// Scenes with the loads that their motion reads.
 fn scenes() -> Vec<(Scene, LoadSet)> {
     let plain = |beta: f64| Squirmer::with_beta(1.0, beta).unwrap();
@@ -78,9 +83,17 @@ fn scenes() -> Vec<(Scene, LoadSet)> {
     let swirling = plain(3.0).with_swirl(&[0.0, 0.5]).unwrap();
     let down = Some(Gravity::DOWN);
     let all = LoadSet::all(2);
+    let (turned, mirrored) = (scene([0.4, 0.4 + PI], 0.0, heavy, None), [0.4, PI - 0.4]);
     vec![
-        (scene([0.0, PI], 0.0, plain(0.0), None), LoadSet::axial(1)),
-        (scene([0.0, PI], 0.0, plain(3.0), None), LoadSet::axial(2)),
+        (turned, LoadSet::planar(2).of_symmetric(Exchange::Point)),
+        (
+            scene(mirrored, 0.0, heavy, down),
+            LoadSet::planar(2).of_symmetric(Exchange::Mirror),
+        ),
+        (scene([0.4, 0.4], 0.0, plain(3.0), None), LoadSet::planar(2)),
+        (scene([0.0, 0.0], 0.0, plain(3.0), None), LoadSet::axial(2)),
+        (scene([0.0, PI], 0.0, plain(0.0), None), facing(1)),
+        (scene([0.0, PI], 0.0, plain(3.0), None), facing(2)),
         (scene([0.4, 2.0], 0.0, plain(0.0), None), LoadSet::planar(1)),
         (scene([0.4, 2.0], 0.0, heavy, down), LoadSet::planar(2)),
         (scene([0.4, 2.0], 0.1, heavy, down), all),
@@ -114,7 +127,13 @@ fn a_run_reads_every_load_of_its_table_and_no_other_is_computed_for_it() {
 
 #[test]
 fn tables_of_boundary_elements_solve_the_symmetry_classes_that_are_read() {
-    for (set, classes) in [(LoadSet::axial(1), 2), (LoadSet::planar(1), 4)] {
+    let point = LoadSet::planar(1).of_symmetric(Exchange::Point);
+    for (set, classes) in [
+        (facing(1), 1),
+        (LoadSet::axial(1), 2),
+        (point, 2),
+        (LoadSet::planar(1), 4),
+    ] {
         let options = TableOptions {
             set,
             tolerance: 0.1,
@@ -146,15 +165,15 @@ fn commands_tabulate_what_their_scenes_read() {
         }
         .scene()
     };
-    let facing = || case(0.0, 0.0, 0.0);
-    assert_eq!(tabulated([facing()]), LoadSet::axial(1));
+    let head_on = || case(0.0, 0.0, 0.0);
+    assert_eq!(tabulated([head_on()]), facing(1));
     let options = ModelOptions {
         cache: None,
         ..ModelOptions::default()
     };
-    let model = Model::set_up(Method::Exact, &options.for_scenes([facing()]).unwrap()).unwrap();
-    assert_eq!(model.tabulated(), Some(LoadSet::axial(1)));
-    assert_eq!(tabulated([case(5.0, 0.0, 0.0)]), LoadSet::axial(2));
+    let model = Model::set_up(Method::Exact, &options.for_scenes([head_on()]).unwrap()).unwrap();
+    assert_eq!(model.tabulated(), Some(facing(1)));
+    assert_eq!(tabulated([case(5.0, 0.0, 0.0)]), facing(2));
     let sweep = [case(0.0, 1.0, 0.0), case(5.0, 0.0, 0.0)];
     assert_eq!(tabulated(sweep), LoadSet::planar(2));
     assert_eq!(tabulated([case(5.0, 1.0, 0.5)]), LoadSet::planar(2));
@@ -187,5 +206,5 @@ fn a_scene_file_tabulates_what_its_motion_reads_whatever_the_commands_share() {
     let file = SceneFile::parse(&std::fs::read_to_string(path).unwrap()).unwrap();
     let plan = Plan::new(&file.scene).unwrap();
     let options = file.model_options(&plan, ModelOptions::default());
-    assert_eq!(options.tabulated, LoadSet::axial(1));
+    assert_eq!(options.tabulated, facing(1));
 }
