@@ -40,7 +40,9 @@ pub struct ModelOptions {
     pub mesh: usize,
     /// Whether every load is solved for, instead of read from a table.
     pub direct: bool,
-    /// Loads in the tables; by default all that `beta` calls for.
+    /// Loads in the tables: by default all of the modes 1 and 2. A table is kept for each set, for its pieces
+    /// are those that the hardest of its columns needs: what is read from it never depends on which other
+    /// tables there are.
     pub tabulated: LoadSet,
     /// Folder in which tables are kept from one run to the next, if they are.
     pub cache: Option<PathBuf>,
@@ -54,6 +56,25 @@ impl Default for ModelOptions {
             tabulated: LoadSet::all(2),
             cache: dirs::cache_dir().map(|folder| folder.join("squirmers")),
         }
+    }
+}
+
+impl ModelOptions {
+    /// The same with tables of the loads that the motion of some scenes reads, and no others.
+    ///
+    /// # Errors
+    /// [`CompareError::Scene`] if one of them is no scene.
+    pub fn for_scenes(
+        self,
+        scenes: impl IntoIterator<Item = Result<Scene, SceneError>>,
+    ) -> Result<Self, CompareError> {
+        let mut read: Option<LoadSet> = None;
+        for scene in scenes {
+            let set = Plan::new(&scene?)?.load_set();
+            read = Some(read.map_or(set, |read| read.union(set)));
+        }
+        let tabulated = read.unwrap_or(LoadSet::axial(0));
+        Ok(Self { tabulated, ..self })
     }
 }
 
@@ -151,6 +172,15 @@ impl Model {
     pub fn table(&self) -> Option<TableSummary> {
         match &self.kind {
             Kind::Table(table) => Some(table.summary()),
+            Kind::Lubrication(_) | Kind::Direct(_) => None,
+        }
+    }
+
+    /// The loads in its table, if there is one.
+    #[must_use]
+    pub fn tabulated(&self) -> Option<LoadSet> {
+        match &self.kind {
+            Kind::Table(table) => Some(table.set()),
             Kind::Lubrication(_) | Kind::Direct(_) => None,
         }
     }

@@ -74,18 +74,23 @@ pub fn offsets(
     options: &SweepOptions,
 ) -> (Vec<OffsetRow>, Vec<Encounter>) {
     // The planar run of a case is the reference of all its offsets.
-    let offsets: Vec<_> = std::iter::once(0.0).chain(dz.iter().copied()).collect();
-    let all: Vec<_> = (cases.iter())
-        .flat_map(|case| offsets.iter().map(move |&dz| Case { dz, ..*case }))
-        .collect();
-    let encounters = encounters(models, &all, options);
-    let rows = (encounters.chunks(offsets.len()))
+    let encounters = encounters(models, &with_offsets(cases, dz), options);
+    let rows = (encounters.chunks(1 + dz.len()))
         .flat_map(|group| {
             let reference = &group[0];
             group[1..].iter().map(move |e| offset_row(reference, e))
         })
         .collect();
     (rows, encounters)
+}
+
+/// Each of `cases` in its plane, then with each offset out of it.
+#[must_use]
+pub fn with_offsets(cases: &[Case], dz: &[f64]) -> Vec<Case> {
+    let offsets = || std::iter::once(0.0).chain(dz.iter().copied());
+    (cases.iter())
+        .flat_map(|case| offsets().map(move |dz| Case { dz, ..*case }))
+        .collect()
 }
 
 fn offset_row(reference: &Encounter, offset: &Encounter) -> OffsetRow {

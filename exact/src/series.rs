@@ -23,31 +23,36 @@ pub struct Solved {
     transverse: Option<EvenOdd<Transverse>>,
 }
 
+/// The problems of both parities, as far as they are called for.
 struct EvenOdd<T> {
-    even: T,
-    odd: T,
+    even: Option<T>,
+    odd: Option<T>,
 }
 
 impl<T> EvenOdd<T> {
-    fn new(solve: impl Fn(Parity) -> Result<T, ExactError>) -> Result<Self, ExactError> {
+    fn new(
+        [even, odd]: [bool; 2],
+        solve: impl Fn(Parity) -> Result<T, ExactError>,
+    ) -> Result<Self, ExactError> {
         Ok(Self {
-            even: solve(Parity::Even)?,
-            odd: solve(Parity::Odd)?,
+            even: even.then(|| solve(Parity::Even)).transpose()?,
+            odd: odd.then(|| solve(Parity::Odd)).transpose()?,
         })
     }
 
-    fn even_is_sum(&self, load: impl Fn(&T) -> f64) -> SelfOther {
-        SelfOther {
-            sum: load(&self.even),
-            difference: load(&self.odd),
-        }
+    fn solved(&self) -> impl Iterator<Item = &T> {
+        self.even.iter().chain(&self.odd)
     }
 
-    fn odd_is_sum(&self, load: impl Fn(&T) -> f64) -> SelfOther {
-        SelfOther {
-            sum: load(&self.odd),
-            difference: load(&self.even),
-        }
+    /// Sets what was solved of a load whose sum is that of the even problem.
+    fn even_is_sum(&self, of: &mut SelfOther, load: impl Fn(&T) -> f64) {
+        of.sum = self.even.as_ref().map_or(of.sum, &load);
+        of.difference = self.odd.as_ref().map_or(of.difference, &load);
+    }
+
+    fn odd_is_sum(&self, of: &mut SelfOther, load: impl Fn(&T) -> f64) {
+        of.sum = self.odd.as_ref().map_or(of.sum, &load);
+        of.difference = self.even.as_ref().map_or(of.difference, &load);
     }
 }
 
@@ -57,33 +62,41 @@ impl Solved {
         check(set)?;
         let modes = set.modes;
         let geometry = Geometry::new(eps, modes.max(set.swirl), factor)?;
-        let across = || EvenOdd::new(|parity| Transverse::solve(geometry, parity, set));
+        // Axial forces are turned round by the mirror.
+        let [sum, difference] = set.axial_parities();
+        let across = set.transverse_parities().map(|read| read || set.swirl > 0);
+        let transverse = || EvenOdd::new(across, |parity| Transverse::solve(geometry, parity, set));
         Ok(Self {
             geometry,
             set,
-            axial: EvenOdd::new(|parity| Axial::solve(geometry, parity, modes))?,
-            transverse: (set.transverse || set.swirl > 0).then(across).transpose()?,
+            axial: EvenOdd::new([difference, sum], |parity| {
+                Axial::solve(geometry, parity, modes)
+            })?,
+            transverse: (set.transverse || set.swirl > 0)
+                .then(transverse)
+                .transpose()?,
         })
     }
 
     /// The loads.
     pub fn loads(&self) -> PairLoads {
-        let mut loads = PairLoads::zero(self.set);
-        loads.xa = self.axial.odd_is_sum(|a| a.force(0) / -6.0);
+        // What was not solved is left as that of lone spheres.
+        let mut loads = PairLoads::isolated(self.set);
+        self.axial.odd_is_sum(&mut loads.xa, |a| a.force(0) / -6.0);
         for (k, mode) in loads.modes_mut().iter_mut().enumerate() {
-            mode.xf = self.axial.odd_is_sum(|a| a.force(1 + k));
+            self.axial.odd_is_sum(&mut mode.xf, |a| a.force(1 + k));
         }
         if self.set.twist {
             loads.xc = twist::axial_rotation(&self.geometry);
         }
         if let Some(transverse) = &self.transverse {
-            loads.ya = transverse.even_is_sum(|t| t.force(TRANSLATION) / -6.0);
+            transverse.even_is_sum(&mut loads.ya, |t| t.force(TRANSLATION) / -6.0);
             // The force by rotation has fewer cancelling terms than the torque by translation.
-            loads.yb = transverse.even_is_sum(|t| t.force(ROTATION) / 4.0);
-            loads.yc = transverse.odd_is_sum(|t| t.torque(ROTATION) / -8.0);
+            transverse.even_is_sum(&mut loads.yb, |t| t.force(ROTATION) / 4.0);
+            transverse.odd_is_sum(&mut loads.yc, |t| t.torque(ROTATION) / -8.0);
             for (k, mode) in loads.modes_mut().iter_mut().enumerate() {
-                mode.yf = transverse.even_is_sum(|t| t.force(t.squirming(1 + k)));
-                mode.yt = transverse.odd_is_sum(|t| t.torque(t.squirming(1 + k)));
+                transverse.even_is_sum(&mut mode.yf, |t| t.force(t.squirming(1 + k)));
+                transverse.odd_is_sum(&mut mode.yt, |t| t.torque(t.squirming(1 + k)));
             }
         }
         loads
@@ -112,9 +125,9 @@ impl Solved {
         let twists = twist::swirl(&self.geometry, self.set.swirl);
         for ((k, mode), xtc) in (1..).zip(loads.modes_mut()).zip(twists) {
             mode.xtc = xtc;
-            mode.yfc = transverse.even_is_sum(|t| t.force(t.swirl(k)));
+            transverse.even_is_sum(&mut mode.yfc, |t| t.force(t.swirl(k)));
             // Along `p_t`, which is opposed to `d x t`.
-            mode.ytc = transverse.odd_is_sum(|t| -t.torque(t.swirl(k)));
+            transverse.odd_is_sum(&mut mode.ytc, |t| -t.torque(t.swirl(k)));
         }
         loads
     }
@@ -124,7 +137,7 @@ impl Solved {
         let mut loads = self.swirl_loads();
         if let Some(transverse) = &self.transverse {
             for (k, mode) in (1..).zip(loads.modes_mut()) {
-                mode.ytc = transverse.odd_is_sum(|t| -t.torque_by_axial_field(t.swirl(k)));
+                transverse.odd_is_sum(&mut mode.ytc, |t| -t.torque_by_axial_field(t.swirl(k)));
             }
         }
         loads
@@ -135,10 +148,12 @@ impl Solved {
     fn loads_by_second_formula(&self) -> PairLoads {
         let mut loads = self.loads();
         if let Some(transverse) = &self.transverse {
-            loads.yb = transverse.even_is_sum(|t| t.torque(TRANSLATION) / 4.0);
-            loads.yc = transverse.odd_is_sum(|t| t.torque_by_axial_field(ROTATION) / -8.0);
+            transverse.even_is_sum(&mut loads.yb, |t| t.torque(TRANSLATION) / 4.0);
+            transverse.odd_is_sum(&mut loads.yc, |t| t.torque_by_axial_field(ROTATION) / -8.0);
             for (k, mode) in loads.modes_mut().iter_mut().enumerate() {
-                mode.yt = transverse.odd_is_sum(|t| t.torque_by_axial_field(t.squirming(1 + k)));
+                transverse.odd_is_sum(&mut mode.yt, |t| {
+                    t.torque_by_axial_field(t.squirming(1 + k))
+                });
             }
         }
         loads
@@ -153,12 +168,12 @@ impl Solved {
             .into_iter()
             .map(|mu| SurfacePoint::new(self.geometry, mu))
             .collect();
-        let axial = [&self.axial.even, &self.axial.odd].map(|flow| axial_residual(flow, &points));
-        let transverse = (self
-            .transverse
-            .iter()
-            .flat_map(|flows| [&flows.even, &flows.odd]))
-        .map(|flow| transverse_residual(flow, &points));
-        axial.into_iter().chain(transverse).fold(0.0, f64::max)
+        let axial = self
+            .axial
+            .solved()
+            .map(|flow| axial_residual(flow, &points));
+        let transverse = (self.transverse.iter().flat_map(EvenOdd::solved))
+            .map(|flow| transverse_residual(flow, &points));
+        axial.chain(transverse).fold(0.0, f64::max)
     }
 }

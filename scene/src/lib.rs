@@ -32,7 +32,7 @@ pub use gap::Gap;
 pub use hydrodynamics::{GapRange, Hydrodynamics};
 pub use isolated::Isolated;
 pub use legendre::{Legendre, legendre};
-pub use load_set::LoadSet;
+pub use load_set::{Exchange, LoadSet};
 pub use loads::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
 pub use motion::{
     BoundState, Configuration, Counters, Outcome, Rates, Run, RunOptions, Sample, bound_states,

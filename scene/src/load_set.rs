@@ -5,6 +5,20 @@ use serde::{Deserialize, Serialize};
 use crate::loads::MAX_MODES;
 use crate::{PairLoads, SceneError};
 
+/// Which combinations of the spheres are read: the pair does not drift along its line of centres if the second
+/// squirmer is an image of the first.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Exchange {
+    /// Sums and differences.
+    #[default]
+    None,
+    /// The second is the first turned by pi about the midpoint: differences of `XA, XF, YA, YB, YF`, sums of
+    /// `YC, YT`.
+    Point,
+    /// The second is the mirror image of the first: differences of `XA, XF, YC, YT`, sums of `YA, YB, YF`.
+    Mirror,
+}
+
 /// The loads that a caller will read: a model computes these alone, a table has columns for these
 /// alone. Axial translation and its squirming loads are in every set.
 ///
@@ -23,6 +37,9 @@ pub struct LoadSet {
     pub twist: bool,
     /// Swirl modes, 1 to this: [`crate::SwirlLoads`], all three loads of each.
     pub swirl: usize,
+    /// Which combinations of these are read. All that is said of a single sphere's load needs
+    /// [`Exchange::None`].
+    pub exchange: Exchange,
 }
 
 impl LoadSet {
@@ -34,6 +51,7 @@ impl LoadSet {
             transverse: false,
             twist: false,
             swirl: 0,
+            exchange: Exchange::None,
         }
     }
 
@@ -45,6 +63,7 @@ impl LoadSet {
             transverse: true,
             twist: true,
             swirl: 0,
+            exchange: Exchange::None,
         }
     }
 
@@ -56,6 +75,7 @@ impl LoadSet {
             transverse: true,
             twist: false,
             swirl: 0,
+            exchange: Exchange::None,
         }
     }
 
@@ -67,6 +87,7 @@ impl LoadSet {
             transverse: false,
             twist: true,
             swirl: 0,
+            exchange: Exchange::None,
         }
     }
 
@@ -74,6 +95,43 @@ impl LoadSet {
     #[must_use]
     pub const fn with_swirl(self, swirl: usize) -> Self {
         Self { swirl, ..self }
+    }
+
+    /// The loads that are in this set or in the other.
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        Self {
+            modes: self.modes.max(other.modes),
+            transverse: self.transverse || other.transverse,
+            twist: self.twist || other.twist,
+            swirl: self.swirl.max(other.swirl),
+            exchange: if self.exchange == other.exchange {
+                self.exchange
+            } else {
+                Exchange::None
+            },
+        }
+    }
+
+    /// The same for a pair with a symmetry, which rules out twist and swirl.
+    #[must_use]
+    pub const fn of_symmetric(self, exchange: Exchange) -> Self {
+        Self { exchange, ..self }
+    }
+
+    /// Whether sums and differences over the spheres are read of axial forces.
+    #[must_use]
+    pub const fn axial_parities(self) -> [bool; 2] {
+        [matches!(self.exchange, Exchange::None), true]
+    }
+
+    /// The same of transverse forces; of transverse torques by rotation and slip it is the other way round.
+    #[must_use]
+    pub const fn transverse_parities(self) -> [bool; 2] {
+        [
+            self.transverse && !matches!(self.exchange, Exchange::Point),
+            self.transverse && !matches!(self.exchange, Exchange::Mirror),
+        ]
     }
 
     /// Whether every load of `other` is in this set.
@@ -84,6 +142,12 @@ impl LoadSet {
             && (self.transverse || !other.transverse)
             && (self.twist || !other.twist)
             && self.swirl >= other.swirl
+            && matches!(
+                (self.exchange, other.exchange),
+                (Exchange::None, _)
+                    | (Exchange::Point, Exchange::Point)
+                    | (Exchange::Mirror, Exchange::Mirror)
+            )
     }
 
     /// The set, unless it has more modes than [`PairLoads`] can hold.
@@ -115,6 +179,29 @@ impl LoadSet {
         if self.transverse { 3 } else { 1 }
     }
 
+    /// Which of the [`PairLoads::columns`] are read.
+    pub(crate) fn read_columns(self) -> Vec<bool> {
+        let (axial, across) = (self.axial_parities(), self.transverse_parities());
+        let crossed = [across[1], across[0]];
+        let rigid = [
+            (axial, true),
+            (across, self.transverse),
+            (across, self.transverse),
+            ([true; 2], self.twist),
+            (crossed, self.transverse),
+        ];
+        let mode = [
+            (axial, true),
+            (across, self.transverse),
+            (crossed, self.transverse),
+        ];
+        let modes = std::iter::repeat_n(mode, self.modes).flatten();
+        (rigid.into_iter().chain(modes))
+            .filter(|(_, held)| *held)
+            .flat_map(|(read, _)| read)
+            .collect()
+    }
+
     /// Number of `f64` in [`PairLoads::columns`].
     #[must_use]
     pub const fn column_count(self) -> usize {
@@ -130,6 +217,11 @@ impl std::fmt::Display for LoadSet {
         }
         if self.swirl > 0 {
             write!(f, ", {} swirl modes", self.swirl)?;
+        }
+        match self.exchange {
+            Exchange::None => {}
+            Exchange::Point => f.write_str(", of point-symmetric pairs")?,
+            Exchange::Mirror => f.write_str(", of mirror-symmetric pairs")?,
         }
         Ok(())
     }

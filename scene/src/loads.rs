@@ -221,35 +221,39 @@ impl PairLoads {
     }
 
     /// Every scalar of the set with its published name: `X11A, X12A, Y11A, ..., XF1_1, XF2_1, ...,
-    /// YT2_n`.
+    /// YT2_n`; of a set for symmetric pairs the one combination that is read, such as `X11A - X12A`.
     #[must_use]
     pub fn named(&self) -> Vec<(String, f64)> {
-        let LoadSet {
-            transverse, twist, ..
-        } = self.set;
+        let (axial, across) = (self.set.axial_parities(), self.set.transverse_parities());
+        // Opposed spins go with like translations: loads of torques have the other parity.
+        let crossed = [across[1], across[0]];
         let mut rows = Vec::with_capacity(self.set.column_count());
-        for (axis, kind, s, held) in [
-            ('X', 'A', self.xa, true),
-            ('Y', 'A', self.ya, transverse),
-            ('Y', 'B', self.yb, transverse),
-            ('X', 'C', self.xc, twist),
-            ('Y', 'C', self.yc, transverse),
+        let mut push = |[own, other]: [String; 2], s: SelfOther, read: [bool; 2]| match read {
+            [true, true] => rows.extend([(own, s.own()), (other, s.other())]),
+            [true, false] => rows.push((format!("{own} + {other}"), s.sum)),
+            [false, true] => rows.push((format!("{own} - {other}"), s.difference)),
+            [false, false] => {}
+        };
+        for (axis, kind, s, read) in [
+            ('X', 'A', self.xa, axial),
+            ('Y', 'A', self.ya, across),
+            ('Y', 'B', self.yb, across),
+            ('X', 'C', self.xc, [self.set.twist; 2]),
+            ('Y', 'C', self.yc, crossed),
         ] {
-            if held {
-                rows.push((format!("{axis}11{kind}"), s.own()));
-                rows.push((format!("{axis}12{kind}"), s.other()));
-            }
+            push(
+                [format!("{axis}11{kind}"), format!("{axis}12{kind}")],
+                s,
+                read,
+            );
         }
         for (n, mode) in (1..).zip(self.modes()) {
-            for (name, s, held) in [
-                ("XF", mode.xf, true),
-                ("YF", mode.yf, transverse),
-                ("YT", mode.yt, transverse),
+            for (name, s, read) in [
+                ("XF", mode.xf, axial),
+                ("YF", mode.yf, across),
+                ("YT", mode.yt, crossed),
             ] {
-                if held {
-                    rows.push((format!("{name}1_{n}"), s.own()));
-                    rows.push((format!("{name}2_{n}"), s.other()));
-                }
+                push([format!("{name}1_{n}"), format!("{name}2_{n}")], s, read);
             }
         }
         rows

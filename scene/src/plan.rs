@@ -9,7 +9,7 @@ mod symmetry;
 pub use describe::{NeededLoads, Parities, PlanRow, SymmetryClass};
 
 use crate::motion::{Configuration, start};
-use crate::{Gravity, Hydrodynamics, LoadSet, Repulsion, Scene, SceneError, Squirmer};
+use crate::{Exchange, Gravity, Hydrodynamics, LoadSet, Repulsion, Scene, SceneError, Squirmer};
 
 /// The variables in which the motion is integrated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -91,6 +91,9 @@ pub struct Plan {
     gravity: Option<Gravity>,
     /// Highest swirl mode, 0 without swirl.
     swirl: usize,
+    /// Whether the squirmers are identical and face each other or turn their backs, along the line of
+    /// centres.
+    opposed: bool,
 }
 
 impl Plan {
@@ -118,8 +121,12 @@ impl Plan {
         let start = start(scene)?;
         let swirl = acting_swirl(scene);
         let state = symmetry::smallest_state(scene, &start, gravity, swirl > 0);
+        let [one, two] = &scene.squirmers;
+        // Of orientations along the line of centres.
+        let facing = start.orientations[0].dot(&start.orientations[1]) < 0.0;
         Ok(Self {
             state,
+            opposed: one == two && facing,
             // What turns a squirmer about the line of centres along which it points changes nothing.
             swirl: if state == State::Axisymmetric {
                 0
@@ -256,6 +263,13 @@ impl Plan {
             // Without a torque about the line of centres nothing but slip across it turns a squirmer.
             twist: self.state == State::Spatial && (self.gravity.is_some() || self.swirl > 0),
             swirl: self.swirl,
+            exchange: match self.state {
+                // Neither drifts along its line.
+                State::Axisymmetric if self.opposed => Exchange::Mirror,
+                State::PointSymmetric => Exchange::Point,
+                State::MirrorSymmetric => Exchange::Mirror,
+                State::Axisymmetric | State::Planar | State::Spatial => Exchange::None,
+            },
         }
     }
 }

@@ -74,7 +74,7 @@ pub fn solve<const H: usize>(
     );
     let orbits = family.orbits();
     let parities: Vec<Parity> = (Parity::ALL.into_iter())
-        .filter(|parity| parity.motion.is_in(set))
+        .filter(|parity| parity.is_in(set))
         .collect();
     let classes: Vec<Class> = (parities.iter())
         .map(|&parity| Class::new(parity, surface.nodes(), orbits))
@@ -222,48 +222,49 @@ fn slips<const H: usize>(motion: Motion, set: LoadSet, surface: &Surface<H>) -> 
 
 /// The scalars of self and other from the two swaps, `solved` in the order of `parities`.
 fn collect(parities: &[Parity], solved: &[Vec<Response>], set: LoadSet) -> (PairLoads, SwirlLoads) {
-    // What is not in the set was not solved.
+    // What is not in the set was not solved: it is left as that of lone spheres.
     let of = |motion: Motion, swap: Swap, column: usize, part: &dyn Fn(&Response) -> f64| {
         let parity = Parity { motion, swap };
         let place = parities.iter().position(|&p| p == parity);
-        place.map_or(0.0, |place| part(&solved[place][column]))
+        place.map(|place| part(&solved[place][column]))
     };
-    let scalar = |motion, adds: Swap, column: usize, unit: f64, part: &dyn Fn(&Response) -> f64| {
+    let fill = |load: &mut SelfOther,
+                motion,
+                adds: Swap,
+                column: usize,
+                unit: f64,
+                part: &dyn Fn(&Response) -> f64| {
         let mirrored = of(motion, Swap::Mirrored, column, part);
         let opposite = of(motion, Swap::Opposite, column, part);
-        match adds {
-            Swap::Mirrored => SelfOther {
-                sum: mirrored / unit,
-                difference: opposite / unit,
-            },
-            Swap::Opposite => SelfOther {
-                sum: opposite / unit,
-                difference: mirrored / unit,
-            },
-        }
+        let (sum, difference) = match adds {
+            Swap::Mirrored => (mirrored, opposite),
+            Swap::Opposite => (opposite, mirrored),
+        };
+        load.sum = sum.map_or(load.sum, |sum| sum / unit);
+        load.difference = difference.map_or(load.difference, |difference| difference / unit);
     };
     let (force, torque) = (&|r: &Response| r.force, &|r: &Response| r.torque);
     use Motion::{Axial, Transverse, Twist};
     use Swap::{Mirrored, Opposite};
-    let mut loads = PairLoads::zero(set);
-    loads.xa = scalar(Axial, Opposite, 0, -6.0 * PI, force);
-    loads.ya = scalar(Transverse, Mirrored, 0, -6.0 * PI, force);
-    loads.yb = scalar(Transverse, Mirrored, 1, 4.0 * PI, force);
-    loads.yc = scalar(Transverse, Opposite, 1, -8.0 * PI, torque);
-    loads.xc = scalar(Twist, Mirrored, 0, -8.0 * PI, torque);
+    let mut loads = PairLoads::isolated(set);
+    fill(&mut loads.xa, Axial, Opposite, 0, -6.0 * PI, force);
+    fill(&mut loads.ya, Transverse, Mirrored, 0, -6.0 * PI, force);
+    fill(&mut loads.yb, Transverse, Mirrored, 1, 4.0 * PI, force);
+    fill(&mut loads.yc, Transverse, Opposite, 1, -8.0 * PI, torque);
+    fill(&mut loads.xc, Twist, Mirrored, 0, -8.0 * PI, torque);
     for (k, mode) in loads.modes_mut().iter_mut().enumerate() {
         let slip = &|r: &Response| r.slip[k];
-        mode.xf = scalar(Axial, Opposite, 0, PI, slip);
-        mode.yf = scalar(Transverse, Mirrored, 0, PI, slip);
-        mode.yt = scalar(Transverse, Opposite, 1, PI, slip);
+        fill(&mut mode.xf, Axial, Opposite, 0, PI, slip);
+        fill(&mut mode.yf, Transverse, Mirrored, 0, PI, slip);
+        fill(&mut mode.yt, Transverse, Opposite, 1, PI, slip);
     }
     let mut by_swirl = SwirlLoads::zero(set);
     for (k, mode) in by_swirl.modes_mut().iter_mut().enumerate() {
         let swirl = &|r: &Response| r.swirl[k];
-        mode.xtc = scalar(Twist, Mirrored, 0, PI, swirl);
-        mode.yfc = scalar(Transverse, Mirrored, 0, PI, swirl);
+        fill(&mut mode.xtc, Twist, Mirrored, 0, PI, swirl);
+        fill(&mut mode.yfc, Transverse, Mirrored, 0, PI, swirl);
         // Along p_t, which is -y.
-        mode.ytc = scalar(Transverse, Opposite, 1, -PI, swirl);
+        fill(&mut mode.ytc, Transverse, Opposite, 1, -PI, swirl);
     }
     (loads, by_swirl)
 }

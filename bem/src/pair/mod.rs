@@ -10,7 +10,7 @@
 //! | [`Motion::Twist`] | - | - | XC, XTC |
 //!
 //! Only vertices of sphere 1 with `x >= 0`, `y >= 0` are unknowns, so each system has about an eighth
-//! of the full one's unknowns, and takes 1/512 of its factorisation. Kinds of motion that a set of
+//! of the full one's unknowns, and takes 1/512 of its factorisation. Classes that a set of
 //! loads does not call for are not assembled.
 
 mod assembly;

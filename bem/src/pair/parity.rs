@@ -18,17 +18,6 @@ pub enum Motion {
     Twist,
 }
 
-impl Motion {
-    /// Whether a set of loads calls for it.
-    pub(crate) fn is_in(self, set: LoadSet) -> bool {
-        match self {
-            Self::Axial => true,
-            Self::Transverse => set.transverse || set.swirl > 0,
-            Self::Twist => set.twist || set.swirl > 0,
-        }
-    }
-}
-
 /// What sphere 2 does: the mirror image of what sphere 1 does, or its opposite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Swap {
@@ -64,6 +53,26 @@ impl Parity {
 
     const fn of(motion: Motion, swap: Swap) -> Self {
         Self { motion, swap }
+    }
+
+    /// Whether a set of loads calls for it.
+    pub(crate) fn is_in(self, set: LoadSet) -> bool {
+        use Swap::{Mirrored, Opposite};
+        let slip = set.swirl > 0;
+        match (
+            self.motion,
+            self.swap,
+            set.axial_parities(),
+            set.transverse_parities(),
+        ) {
+            // The mirror image of a motion along the line of centres is opposed.
+            (Motion::Axial, Mirrored, [_, read], _) | (Motion::Axial, Opposite, [read, _], _) => {
+                read
+            }
+            (Motion::Transverse, Mirrored, _, [read, _])
+            | (Motion::Transverse, Opposite, _, [_, read]) => read || slip,
+            (Motion::Twist, ..) => set.twist || slip,
+        }
     }
 
     /// Signs under the mirrors x and y.

@@ -3,7 +3,7 @@
 use super::args::{Arguments, ModelArguments, RunArguments};
 use super::commands::{model_options, print_rows, set_up, sweep_options};
 use super::maps::METHODS;
-use crate::bottom_heavy::{PanelRun, panel_runs};
+use crate::bottom_heavy::{PanelCase, PanelRun, panel_runs};
 use crate::output::{OutputFolder, csv_text};
 use crate::{CompareError, Defaults, pictures};
 
@@ -16,6 +16,7 @@ pub(super) fn run(
     let sweep = sweep_options(runs.tol, runs.time_limit)?;
     let panels = Defaults::paper()?.bottom_heavy;
     let out = OutputFolder::open(&general.out)?;
+    let options = options.for_scenes(panels.iter().map(PanelCase::scene))?;
     let models = set_up(&methods, &options)?;
     let models: Vec<_> = models.iter().collect();
     let runs = panel_runs(&models, &panels, &sweep);

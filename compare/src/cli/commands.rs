@@ -138,9 +138,7 @@ fn loads(
     general: &Arguments,
 ) -> Result<(), CompareError> {
     let (methods, mut options) = model_options(arguments, &Method::DEFAULT, general)?;
-    if !options.tabulated.holds(set) {
-        options.tabulated = set;
-    }
+    options.tabulated = set;
     let gaps: Vec<_> = (gaps.0.iter())
         .map(|&eps| {
             Gap::new(eps).map_err(|_| {
@@ -215,6 +213,7 @@ fn encounter(
         &list(&arguments.dz, &defaults.dz),
     )?;
     let out = OutputFolder::open(&general.out)?;
+    let options = options.for_scenes(cases.iter().map(Case::scene))?;
     let models = set_up(&methods, &options)?;
     let encounters = sweep::encounters(&models, &cases, &sweep);
     write_encounters(approach, &encounters, &out)?;
@@ -278,6 +277,8 @@ fn offset(
     let defaults = Defaults::paper()?.offset;
     let dz = dz.map_or(defaults.dz.clone(), |dz| dz.0.clone());
     let out = OutputFolder::open(&general.out)?;
+    let all = sweep::with_offsets(&defaults.cases(), &dz);
+    let options = options.for_scenes(all.iter().map(Case::scene))?;
     let models = set_up(&methods, &options)?;
     let (rows, encounters) = sweep::offsets(&models, &defaults.cases(), &dz, &sweep);
     out.write("offset.csv", &csv_text(&rows)?)?;

@@ -99,6 +99,7 @@ fn checked(
         }
     }
     let out = OutputFolder::open(&general.out)?;
+    let options = options.for_scenes(maps::unsymmetric_starts(&pairs))?;
     Ok(Checked {
         models: set_up(&methods, &options)?,
         pairs,

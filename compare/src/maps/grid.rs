@@ -87,6 +87,11 @@ impl Pair {
     }
 }
 
+/// A start of each of `pairs` without a symmetry: what it reads holds what any other start reads.
+pub fn unsymmetric_starts(pairs: &[Pair]) -> impl Iterator<Item = Result<Scene, SceneError>> + '_ {
+    pairs.iter().map(|pair| pair.scene(MARGIN, MARGIN))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -21,7 +21,7 @@ use resume::Journal;
 
 pub use bound::{BoundExample, BoundRow, bound_examples, bound_rows};
 pub use fates::{FateRow, fates, fates_of};
-pub use grid::{Grid, Pair};
+pub use grid::{Grid, Pair, unsymmetric_starts};
 pub use scatter::{ScatterRow, scatter, scatter_row};
 pub(crate) use trust::{CLASSES as TRUST_CLASSES, same_map};
 pub use trust::{TrustRow, TrustShares, trust, trust_rows, trust_shares};

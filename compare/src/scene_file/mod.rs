@@ -8,7 +8,7 @@ mod mistakes;
 mod squirmers;
 mod table;
 
-use scene::{LoadSet, Plan, Repulsion, RunOptions, Scene};
+use scene::{Plan, Repulsion, RunOptions, Scene};
 use toml::de::DeTable;
 
 pub use mistakes::{Mistake, Mistakes};
@@ -103,20 +103,13 @@ impl SceneFile {
         }
     }
 
-    /// How to set up its model for `plan`, with tables kept as in `options`: those that the commands
-    /// share, or larger ones if the plan asks for more.
+    /// How to set up its model for `plan`, with a table of the loads that it reads, kept as in `options`.
     #[must_use]
     pub fn model_options(&self, plan: &Plan, options: ModelOptions) -> ModelOptions {
-        let (shared, needed) = (options.tabulated, plan.load_set());
         ModelOptions {
             mesh: self.mesh,
             direct: self.direct,
-            tabulated: LoadSet {
-                modes: shared.modes.max(needed.modes),
-                transverse: shared.transverse || needed.transverse,
-                twist: shared.twist || needed.twist,
-                swirl: shared.swirl.max(needed.swirl),
-            },
+            tabulated: plan.load_set(),
             ..options
         }
     }

@@ -15,25 +15,6 @@ pub struct Parities {
     pub difference: bool,
 }
 
-impl Parities {
-    const BOTH: Self = Self {
-        sum: true,
-        difference: true,
-    };
-    const SUM: Self = Self {
-        sum: true,
-        difference: false,
-    };
-    const DIFFERENCE: Self = Self {
-        sum: false,
-        difference: true,
-    };
-    const NONE: Self = Self {
-        sum: false,
-        difference: false,
-    };
-}
-
 /// The loads that the equation of motion of a plan uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NeededLoads {
@@ -150,26 +131,12 @@ impl Plan {
     /// The loads that the equation of motion uses.
     #[must_use]
     pub fn needed_loads(&self) -> NeededLoads {
-        let identical = self.scene.squirmers[0] == self.scene.squirmers[1];
-        // Of orientations along the line of centres.
-        let facing = self.start.orientations[0].dot(&self.start.orientations[1]) < 0.0;
-        let (axial, transverse) = match self.state {
-            // Identical squirmers that face each other, or turn their backs, do not drift.
-            State::Axisymmetric if identical && facing => (Parities::DIFFERENCE, Parities::NONE),
-            State::Axisymmetric => (Parities::BOTH, Parities::NONE),
-            State::PointSymmetric => (Parities::DIFFERENCE, Parities::DIFFERENCE),
-            State::MirrorSymmetric => (Parities::DIFFERENCE, Parities::SUM),
-            State::Planar | State::Spatial => (Parities::BOTH, Parities::BOTH),
-        };
         let set = self.load_set();
+        let parities = |[sum, difference]: [bool; 2]| Parities { sum, difference };
         NeededLoads {
-            axial,
-            transverse,
-            twist: if set.twist {
-                Parities::BOTH
-            } else {
-                Parities::NONE
-            },
+            axial: parities(set.axial_parities()),
+            transverse: parities(set.transverse_parities()),
+            twist: parities([set.twist; 2]),
             modes: set.modes,
             swirl: set.swirl,
         }

@@ -162,7 +162,7 @@ impl<M: Hydrodynamics> Builder<'_, M> {
         let mut values = self.values(coordinate, low, high, degree, None)?;
         loop {
             let rows = coefficients(&values);
-            let error = tail(&rows, &values);
+            let error = tail(&rows, &values, &self.options.set.read_columns());
             let done = error <= self.target;
             if done || (degree == MAX_DEGREE && halvings == MAX_HALVINGS) {
                 // The model is least sure at the smallest gap.
@@ -250,10 +250,12 @@ fn inside(x: f64, low: f64, high: f64) -> f64 {
     x.clamp(low + margin, high - margin)
 }
 
-/// Size of the last coefficients, in columns relative to the larger of their values and 1.
-fn tail(rows: &[Vec<f64>], values: &[Vec<f64>]) -> f64 {
+/// Size of the last coefficients, in columns relative to the larger of their values and 1, leaving out those of
+/// the pair that are not `read`.
+fn tail(rows: &[Vec<f64>], values: &[Vec<f64>], read: &[bool]) -> f64 {
     let columns = rows.first().map_or(0, Vec::len);
     (0..columns)
+        .filter(|&column| read.get(column).is_none_or(|read| *read))
         .map(|column| {
             let scale = values.iter().map(|v| v[column].abs()).fold(1.0, f64::max);
             let last = rows.iter().rev().take(2).map(|row| row[column].abs());

@@ -14,7 +14,7 @@ use super::{Table, TableOptions, Tabulated};
 use crate::{Hydrodynamics, SceneError};
 
 /// Changes with the meaning of the stored table.
-const FORMAT: &str = "table 4";
+const FORMAT: &str = "table 5";
 
 #[derive(Serialize, Deserialize)]
 struct Kept {

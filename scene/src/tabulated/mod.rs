@@ -88,6 +88,11 @@ impl<M> Tabulated<M> {
         &self.model
     }
 
+    /// The loads that it has columns for.
+    pub fn set(&self) -> LoadSet {
+        self.table.set
+    }
+
     /// How the table was built.
     pub fn summary(&self) -> TableSummary {
         self.table.summary
