@@ -112,6 +112,7 @@ impl Lab {
         let densities = solve_all(&rows, &right_hand_sides(&spheres, &places))?;
         let loads = |density: &Vec<f64>| loads(&spheres, &places, density);
         let (by_slip, by_motion) = densities
+            .x
             .split_last()
             .map_or((None, &[][..]), |(s, m)| (Some(s), m));
         let columns: Vec<DVector<f64>> = by_motion.iter().map(loads).collect();

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 use rayon::prelude::*;
-use scene::{Gap, LoadSet, MAX_MODES, PairLoads, SwirlLoads};
+use scene::{Gap, LoadSet, MAX_MODES, PairLoads, SelfOther, SwirlLoads};
 
 use crate::ExactError;
 use crate::series::Solved;
@@ -54,42 +54,29 @@ impl Fit {
     /// `known` and the combination of the values of the functions, for the loads of the pair in its set,
     /// which must be among those fitted.
     pub fn add_to(&self, known: &PairLoads, functions: &[f64]) -> PairLoads {
-        let set = known.set();
-        let mut columns = [0.0; LoadSet::all(MAX_MODES).column_count()];
-        let asked = LoadSet {
-            modes: set.modes,
-            ..self.set
-        };
-        self.combine(0, functions, &mut columns[..asked.column_count()]);
-        let fitted = PairLoads::from_columns(set, self.set, &columns);
-        let mut columns = [0.0; LoadSet::all(MAX_MODES).column_count()];
-        add(&mut columns, known.columns(), fitted.columns());
-        PairLoads::from_columns(set, set, &columns)
+        let mut loads = PairLoads::from_column_pairs(known.set(), self.set, |k| SelfOther {
+            sum: self.combined(2 * k, functions),
+            difference: self.combined(2 * k + 1, functions),
+        });
+        loads += known;
+        loads
     }
 
     /// The same for the loads by swirl in `set`.
     pub fn add_to_swirl(&self, known: &SwirlLoads, set: LoadSet, functions: &[f64]) -> SwirlLoads {
         let mut columns = [0.0; LoadSet::all(MAX_MODES).column_count()];
-        let asked = known.columns().count();
-        self.combine(self.set.column_count(), functions, &mut columns[..asked]);
-        let fitted = SwirlLoads::from_columns(set, &columns);
-        add(&mut columns, known.columns(), fitted.columns());
+        let first = self.set.column_count();
+        for (k, (column, known)) in columns.iter_mut().zip(known.columns()).enumerate() {
+            *column = known + self.combined(first + k, functions);
+        }
         SwirlLoads::from_columns(set, &columns)
     }
 
-    /// The combination, in the columns from `first` on. On the stack: a trajectory's step may ask
-    /// for this.
-    fn combine(&self, first: usize, functions: &[f64], columns: &mut [f64]) {
-        for (column, factors) in columns
-            .iter_mut()
-            .zip(self.factors.column_iter().skip(first))
-        {
-            *column = functions
-                .iter()
-                .zip(factors.iter())
-                .map(|(f, c)| f * c)
-                .sum();
-        }
+    /// The combination in one column.
+    fn combined(&self, column: usize, functions: &[f64]) -> f64 {
+        let factors = self.factors.column(column);
+        let terms = functions.iter().zip(factors.iter()).map(|(f, c)| f * c);
+        terms.sum()
     }
 
     /// The factors of the function number `index`, those of the loads by swirl last.
@@ -100,12 +87,6 @@ impl Fit {
             PairLoads::from_columns(self.set, self.set, pair),
             SwirlLoads::from_columns(self.set, swirl),
         )
-    }
-}
-
-fn add(sums: &mut [f64], some: impl Iterator<Item = f64>, others: impl Iterator<Item = f64>) {
-    for (sum, (a, b)) in sums.iter_mut().zip(some.zip(others)) {
-        *sum = a + b;
     }
 }
 

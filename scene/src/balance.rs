@@ -243,7 +243,8 @@ fn balanced<T: Transverse>(
     );
     PairVelocity {
         // Near contact X11A - X12A goes as 1/(2 eps), so this product is of order one.
-        opening: -axial_difference / (6.0 * (loads.xa.difference * gap.eps())),
+        // The quotient does not wait for the force.
+        opening: axial_difference * (-1.0 / (6.0 * (loads.xa.difference * gap.eps()))),
         mean_axial: slip.axial.sum / (12.0 * loads.xa.sum),
         mean_transverse: sum * 0.5,
         turning: difference * (-1.0 / gap.distance()),

@@ -119,6 +119,22 @@ impl PartialEq for PairLoads {
     }
 }
 
+/// Load by load, of those that the sum holds; the other summand must hold them too.
+impl std::ops::AddAssign<&Self> for PairLoads {
+    fn add_assign(&mut self, rhs: &Self) {
+        self.xa += rhs.xa;
+        self.ya += rhs.ya;
+        self.yb += rhs.yb;
+        self.xc += rhs.xc;
+        self.yc += rhs.yc;
+        for (mode, more) in self.modes_mut().iter_mut().zip(rhs.modes()) {
+            mode.xf += more.xf;
+            mode.yf += more.yf;
+            mode.yt += more.yt;
+        }
+    }
+}
+
 impl PairLoads {
     /// From the resistance scalars `[xa, ya, yb, xc, yc]` and the loads by each squirming mode (at most
     /// [`MAX_MODES`]), counted from 0. What `set` does not hold may have any value.
@@ -197,12 +213,29 @@ impl PairLoads {
     #[inline]
     #[must_use]
     pub fn from_columns(set: LoadSet, layout: LoadSet, columns: &[f64]) -> Self {
-        let pair = |held: bool, k: usize| match columns.get(2 * k..2 * k + 2) {
-            Some(&[sum, difference]) if held => SelfOther { sum, difference },
+        Self::from_column_pairs(set, layout, |k| match columns.get(2 * k..2 * k + 2) {
+            Some(&[sum, difference]) => SelfOther { sum, difference },
             _ => SelfOther::default(),
+        })
+    }
+
+    /// The same with `pair(k)` in place of the columns `2 k` and `2 k + 1`; it is asked for those alone
+    /// that `set` holds.
+    #[inline]
+    #[must_use]
+    pub fn from_column_pairs(
+        set: LoadSet,
+        layout: LoadSet,
+        pair: impl Fn(usize) -> SelfOther,
+    ) -> Self {
+        let pair = |held: bool, k: usize| {
+            if held { pair(k) } else { SelfOther::default() }
         };
-        let (across, twist) = (layout.transverse, layout.twist);
-        let xc = if across { 3 } else { 1 };
+        let (across, twist) = (
+            set.transverse && layout.transverse,
+            set.twist && layout.twist,
+        );
+        let xc = if layout.transverse { 3 } else { 1 };
         let rigid = [
             pair(true, 0),
             pair(across, 1),

@@ -41,7 +41,7 @@ impl Singular {
         };
         Self {
             xa: opposed(0.25 / gap.eps() + 9.0 / 40.0 * log),
-            ya: opposed(log / 6.0),
+            ya: opposed(log * (1.0 / 6.0)),
             yb: opposed(-0.25 * log),
             yc: SelfOther {
                 sum: 0.25 * log,

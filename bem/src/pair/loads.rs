@@ -27,13 +27,17 @@ use crate::mesh::{MeshFamily, Nodes};
 use crate::surface::{Profile, Surface, Work};
 use crate::{BemError, slip};
 
-/// Wall-clock time of the two parts of a solve, in seconds.
+/// Time of the parts of a solve, in seconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Seconds {
-    /// Quadrature and assembly.
+    /// Quadrature and assembly, by the clock.
     pub assembly: f64,
-    /// Factorisation and back-substitution.
+    /// Factorisation and substitution, by the clock.
     pub solve: f64,
+    /// Factorisation, added up over the systems, which are solved side by side.
+    pub factorisation: f64,
+    /// Substitution with the check of the residual, added up likewise.
+    pub substitution: f64,
 }
 
 /// Loads of a pair at one gap, and what they took.
@@ -93,6 +97,8 @@ pub fn solve<const H: usize>(
         .zip(matrices)
         .map(|(class, matrix)| class.responses(&matrix, &surface, family, set))
         .collect::<Result<Vec<_>, _>>()?;
+    let solve = start.elapsed().as_secs_f64() - assembly;
+    let (solved, [factorisation, substitution]) = added_up(solved);
     let (loads, swirl) = collect(&parities, &solved, set);
     Ok(PairSolution {
         loads,
@@ -101,10 +107,23 @@ pub fn solve<const H: usize>(
         solves: classes.len(),
         seconds: Seconds {
             assembly,
-            solve: start.elapsed().as_secs_f64() - assembly,
+            solve,
+            factorisation,
+            substitution,
         },
         work,
     })
+}
+
+/// What the classes found, and the seconds of their factorisations and substitutions added up.
+fn added_up(solved: Vec<(Vec<Response>, [f64; 2])>) -> (Vec<Vec<Response>>, [f64; 2]) {
+    let mut seconds = [0.0; 2];
+    let add = |(responses, [factorisation, substitution]): (Vec<Response>, [f64; 2])| {
+        seconds[0] += factorisation;
+        seconds[1] += substitution;
+        responses
+    };
+    (solved.into_iter().map(add).collect(), seconds)
 }
 
 /// What the density of a rigid motion tells.
@@ -121,14 +140,15 @@ struct Response {
 }
 
 impl Class {
-    /// Responses to the translation and the rotation of the class, those that it has.
+    /// Responses to the translation and the rotation of the class, those that it has, and the seconds of
+    /// factorisation and substitution.
     fn responses<const H: usize>(
         &self,
         matrix: &[f64],
         surface: &Surface<H>,
         family: &MeshFamily<H>,
         set: LoadSet,
-    ) -> Result<Vec<Response>, BemError> {
+    ) -> Result<(Vec<Response>, [f64; 2]), BemError> {
         let orbits = family.orbits();
         let points: Vec<(Vector3<f64>, usize)> = self
             .unknowns
@@ -139,12 +159,11 @@ impl Class {
             .iter()
             .map(|u| points.iter().map(|(normal, c)| u(normal)[*c]).collect())
             .collect();
-        let densities = solve_all(matrix, &right)?;
+        let solved = solve_all(matrix, &right)?;
         let slips = slips(self.parity.motion, set, surface);
-        Ok(densities
-            .iter()
-            .map(|density| self.response(density, &slips, surface, family))
-            .collect())
+        let response = |density: &Vec<f64>| self.response(density, &slips, surface, family);
+        let responses = solved.x.iter().map(response).collect();
+        Ok((responses, [solved.factorisation, solved.substitution]))
     }
 
     fn response<const H: usize>(

@@ -143,8 +143,8 @@ fn bem_profile_lines() -> Result<Vec<String>, CompareError> {
     let spent = solution.seconds;
     lines.push(format!("{of}: assembly {:.2e} s", spent.assembly));
     lines.push(format!(
-        "{of}: factorisation and solve {:.2e} s",
-        spent.solve
+        "{of}: factorisation and substitution {:.2e} s, over all threads {:.2e} s and {:.2e} s",
+        spent.solve, spent.factorisation, spent.substitution
     ));
     Ok(lines)
 }

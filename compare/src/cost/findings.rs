@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::deflections::COARSE_LEVEL;
 use super::profile::{RIGHT_HAND_SIDE, VELOCITY_AT_ANY_GAP};
-use super::scaling::SWEEP;
+use super::scaling::{BEM_PARTS, SWEEP};
 use super::{CostRow, Part};
 use crate::Method;
 
@@ -44,7 +44,7 @@ pub fn findings(rows: &[CostRow]) -> Vec<Finding> {
             "trajectories",
         )
     }));
-    findings.extend(["bem-assembly", "bem-factorisation"].map(|model| {
+    findings.extend(BEM_PARTS.map(|model| {
         let power = exponent(rows, model);
         Finding::new("time goes as unknowns to the power", model, power, "")
     }));

@@ -110,7 +110,7 @@ pub fn deflections_work_precision(rows: &[CostRow]) -> Result<String, FigureErro
         });
     }
     let words = Words {
-        title: "Error of the outgoing angle against time",
+        title: "Error of the outgoing angle against time (dots: cases; open marks: their worst error, median time)",
         x_title: "time of one trajectory (s)",
         y_title: "largest error (degrees)",
     };
@@ -179,15 +179,21 @@ fn draw(plots: &[Plot], words: &Words) -> Result<String, FigureError> {
             let (column, row) = ((i % columns) as f64, (i / columns) as f64);
             let corner = (cell.0 * column + LEFT, TITLE + ABOVE + cell.1 * row);
             let panel = panel(canvas, corner, plot, words, (&x, &y))?;
+            let index = |curve: &Curve| models.iter().position(|m| *m == curve.model).unwrap_or(0);
             for curve in &plot.curves {
-                let index = models.iter().position(|m| *m == curve.model).unwrap_or(0);
-                panel.line(&curve.line, stroke(index))?;
-                let hollow = !curve.dots.is_empty();
-                for &at in &curve.dots {
-                    panel.dot(at, colour(index))?;
-                }
+                panel.line(&curve.line, stroke(index(curve)))?;
+            }
+            for curve in &plot.curves {
+                // Open where others may lie behind: models without a knob, and worst cases over dots.
+                let filled = curve.dots.is_empty() && curve.line.len() > 1;
+                let index = index(curve);
                 for &at in &curve.line {
-                    panel.marker(at, colour(index), Shape::of(index), !hollow)?;
+                    panel.marker(at, colour(index), Shape::of(index), filled)?;
+                }
+            }
+            for curve in plot.curves.iter().rev() {
+                for &at in &curve.dots {
+                    panel.dot(at, colour(index(curve)))?;
                 }
             }
         }
