@@ -80,6 +80,16 @@ fn lu_solve(matrix: MatRef<'_, f64>, mut b: Mat<f64>) -> (Mat<f64>, Instant) {
     (b, factorised)
 }
 
+/// Largest over smallest singular value of a square matrix, given row by row.
+pub fn condition(rows: &[f64], unknowns: usize) -> Result<f64, BemError> {
+    let matrix = MatRef::from_row_major_slice(rows, unknowns, unknowns);
+    let values = (matrix.singular_values()).map_err(|_| BemError::SingularValues { unknowns })?;
+    let (least, most) = (values.iter()).fold((f64::INFINITY, 0.0), |(least, most), &v| {
+        (f64::min(least, v), f64::max(most, v))
+    });
+    Ok(most / least)
+}
+
 fn relative_residual(matrix: MatRef<'_, f64>, x: &Mat<f64>, b: &Mat<f64>) -> f64 {
     let mut worst = 0.0;
     let mut scale = 0.0;
@@ -112,6 +122,13 @@ mod tests {
             solve_all(&rows, &[vec![1.0, 0.0]]),
             Err(BemError::Residual { unknowns: 2, .. })
         ));
+    }
+
+    #[test]
+    fn the_condition_of_a_rotated_diagonal_is_the_ratio_of_its_ends() {
+        let (s, c) = 0.3_f64.sin_cos();
+        let rows = [8.0 * c, -2.0 * s, 8.0 * s, 2.0 * c];
+        approx::assert_relative_eq!(condition(&rows, 2).unwrap(), 4.0, max_relative = 1e-14);
     }
 
     #[test]

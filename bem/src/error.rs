@@ -46,6 +46,12 @@ pub enum BemError {
         /// Largest residual allowed.
         allowed: f64,
     },
+    /// Singular values of a dense system were not found.
+    #[error("dense system of {unknowns} unknowns: its singular values were not found")]
+    SingularValues {
+        /// Number of unknowns.
+        unknowns: usize,
+    },
     /// Two spheres overlap or touch.
     #[error(
         "spheres {first} and {second} overlap: their centres are {distance} apart, more than 2 is needed"

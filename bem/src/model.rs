@@ -7,7 +7,7 @@ use scene::{Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, SceneError, SwirlL
 
 use crate::BemError;
 use crate::mesh::{Grading, MeshFamily};
-use crate::pair::{self, PairSolution};
+use crate::pair::{self, Condition, PairSolution};
 
 /// Gaps at which the mesh's topology changes; beyond the last one the mesh is uniform and fixed.
 const SEAMS: [f64; 6] = [0.00098, 0.004, 0.016, 0.064, 0.256, 1.024];
@@ -102,6 +102,15 @@ impl Bem {
     /// As [`Hydrodynamics::loads`].
     pub fn solve(&self, gap: Gap, set: LoadSet) -> Result<PairSolution, SceneError> {
         self.solve_with(&self.families, gap, set)
+    }
+
+    /// Condition numbers of the systems that [`Self::solve`] solves.
+    ///
+    /// # Errors
+    /// As [`Hydrodynamics::loads`]; [`BemError::SingularValues`] if they cannot be found.
+    pub fn conditions(&self, gap: Gap, set: LoadSet) -> Result<Vec<Condition>, BemError> {
+        self.check(gap)?;
+        pair::conditions(self.family(gap), gap.eps(), set)
     }
 
     /// Refuses a gap that the meshes of this level do not resolve.

@@ -75,17 +75,26 @@ impl Class {
         vertex: usize,
         rows: &mut [Vec<f64>; 3],
     ) {
-        if self.parity.motion != Motion::Axial {
-            return;
-        }
-        let vertices = surface.nodes();
-        for (column, &(j, c)) in self.unknowns.iter().enumerate() {
-            let v = orbits.representatives[j];
-            let weight = DEFLATION * orbits.sizes[j] as f64 * surface.deflation(v)[c];
+        let normal = surface.nodes()[vertex];
+        for (column, weight) in self.deflation(surface, orbits).enumerate() {
             for (a, row) in rows.iter_mut().enumerate() {
-                row[column] += vertices[vertex][a] * weight;
+                row[column] += normal[a] * weight;
             }
         }
+    }
+
+    /// What multiplies the normal in the rank-one term, for each unknown; nothing for classes that have none.
+    pub fn deflation<const H: usize>(
+        &self,
+        surface: &Surface<H>,
+        orbits: &Orbits,
+    ) -> impl Iterator<Item = f64> {
+        let deflated = self.parity.motion == Motion::Axial;
+        let unknowns = self.unknowns.iter().filter(move |_| deflated);
+        unknowns.map(|&(j, c)| {
+            let v = orbits.representatives[j];
+            DEFLATION * orbits.sizes[j] as f64 * surface.deflation(v)[c]
+        })
     }
 }
 

@@ -22,7 +22,7 @@ use scene::{LoadSet, PairLoads, SelfOther, SwirlLoads};
 
 use super::assembly::{Class, assemble};
 use super::parity::{Motion, Parity, Swap};
-use crate::dense::solve_all;
+use crate::dense::{condition, solve_all};
 use crate::mesh::{MeshFamily, Nodes};
 use crate::surface::{Profile, Surface, Work};
 use crate::{BemError, slip};
@@ -70,27 +70,12 @@ pub fn solve<const H: usize>(
     set: LoadSet,
 ) -> Result<PairSolution, BemError> {
     let start = Instant::now();
-    let eps = eps.min(FARTHEST);
-    let reference = family.at(family.smallest);
-    let surface = Surface::<H>::new(
-        (family.at(eps), Profile::beside_mirror_image(eps)),
-        (&reference, Profile::beside_mirror_image(family.smallest)),
-    );
-    let orbits = family.orbits();
-    let parities: Vec<Parity> = (Parity::ALL.into_iter())
-        .filter(|parity| parity.is_in(set))
-        .collect();
-    let classes: Vec<Class> = (parities.iter())
-        .map(|&parity| Class::new(parity, surface.nodes(), orbits))
-        .collect();
-    let (matrices, work) = assemble(
-        &surface,
-        &Nodes::<H>::new(&reference).points,
-        orbits,
-        &classes,
-        2.0 + eps,
-        2.0 + family.smallest,
-    );
+    let Systems {
+        surface,
+        classes,
+        matrices,
+        work,
+    } = systems(family, eps, set);
     let assembly = start.elapsed().as_secs_f64();
     let solved = classes
         .par_iter()
@@ -99,6 +84,7 @@ pub fn solve<const H: usize>(
         .collect::<Result<Vec<_>, _>>()?;
     let solve = start.elapsed().as_secs_f64() - assembly;
     let (solved, [factorisation, substitution]) = added_up(solved);
+    let parities: Vec<Parity> = classes.iter().map(|class| class.parity).collect();
     let (loads, swirl) = collect(&parities, &solved, set);
     Ok(PairSolution {
         loads,
@@ -113,6 +99,91 @@ pub fn solve<const H: usize>(
         },
         work,
     })
+}
+
+/// How a symmetry class's system is conditioned: largest over smallest singular value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Condition {
+    /// The class.
+    pub parity: Parity,
+    /// Of the matrix that is solved.
+    pub solved: f64,
+    /// Of the axial classes without the term that fixes the multiple of the normal in the density, which
+    /// induces no flow (Pozrikidis 1992, section 4.2).
+    pub without_deflation: Option<f64>,
+}
+
+/// Condition numbers of the systems that [`solve`] solves.
+///
+/// # Errors
+/// [`BemError::SingularValues`] if they cannot be found.
+pub fn conditions<const H: usize>(
+    family: &MeshFamily<H>,
+    eps: f64,
+    set: LoadSet,
+) -> Result<Vec<Condition>, BemError> {
+    let systems = systems(family, eps, set);
+    let orbits = family.orbits();
+    (systems.classes.par_iter().zip(systems.matrices))
+        .map(|(class, mut matrix)| {
+            let solved = condition(&matrix, class.unknowns.len())?;
+            let weights: Vec<f64> = class.deflation(&systems.surface, orbits).collect();
+            let without_deflation = if weights.is_empty() {
+                None
+            } else {
+                let rows = matrix.chunks_exact_mut(weights.len());
+                for (row, &(j, a)) in rows.zip(&class.unknowns) {
+                    let normal = systems.surface.nodes()[orbits.representatives[j]];
+                    for (entry, weight) in row.iter_mut().zip(&weights) {
+                        *entry -= normal[a] * weight;
+                    }
+                }
+                Some(condition(&matrix, weights.len())?)
+            };
+            Ok(Condition {
+                parity: class.parity,
+                solved,
+                without_deflation,
+            })
+        })
+        .collect()
+}
+
+/// The systems of the classes that a set of loads calls for.
+struct Systems<const H: usize> {
+    surface: Surface<H>,
+    classes: Vec<Class>,
+    /// Row by row.
+    matrices: Vec<Vec<f64>>,
+    work: Work,
+}
+
+fn systems<const H: usize>(family: &MeshFamily<H>, eps: f64, set: LoadSet) -> Systems<H> {
+    let eps = eps.min(FARTHEST);
+    let reference = family.at(family.smallest);
+    let surface = Surface::<H>::new(
+        (family.at(eps), Profile::beside_mirror_image(eps)),
+        (&reference, Profile::beside_mirror_image(family.smallest)),
+    );
+    let orbits = family.orbits();
+    let classes: Vec<Class> = (Parity::ALL.into_iter())
+        .filter(|parity| parity.is_in(set))
+        .map(|parity| Class::new(parity, surface.nodes(), orbits))
+        .collect();
+    let (matrices, work) = assemble(
+        &surface,
+        &Nodes::<H>::new(&reference).points,
+        orbits,
+        &classes,
+        2.0 + eps,
+        2.0 + family.smallest,
+    );
+    Systems {
+        surface,
+        classes,
+        matrices,
+        work,
+    }
 }
 
 /// What the classes found, and the seconds of their factorisations and substitutions added up.

@@ -17,5 +17,5 @@ mod assembly;
 mod loads;
 mod parity;
 
-pub use loads::{PairSolution, Seconds, solve};
+pub use loads::{Condition, PairSolution, Seconds, conditions, solve};
 pub use parity::{Motion, Parity, Swap};

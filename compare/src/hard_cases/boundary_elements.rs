@@ -16,6 +16,37 @@ pub(super) fn cases(_: &Bench, rows: &mut Rows) {
     rows.attempt(name, "random gaps", random_gaps);
     rows.attempt(name, "refusals", refusals);
     rows.attempt(name, "rotated meshes", rotated_meshes);
+    rows.attempt(name, "condition", conditions);
+}
+
+/// The systems at gaps of 1 and 0.01 at level 2, with and without the term that fixes the normal's share.
+fn conditions(rows: &mut Rows) -> Result<(), CompareError> {
+    const LEVEL: usize = 2;
+    let (name, model) = (Method::Bem.name(), Bem::new(LEVEL)?);
+    for eps in [1.0, 0.01] {
+        let gap = Gap::new(eps)?;
+        let found = model.conditions(gap, LOADS)?;
+        let most = found.iter().map(|c| c.solved).fold(0.0, f64::max);
+        let estimate = model.error_estimate(gap, LOADS)?;
+        let from = "rounding times condition below the estimated error of the discretisation";
+        rows.add(
+            name,
+            format!("gap {eps}, level {LEVEL}: largest condition number of the six systems"),
+            (estimate / f64::EPSILON, from),
+            most,
+        );
+        let gained = (found.iter())
+            .filter_map(|c| Some(c.solved / c.without_deflation?))
+            .fold(0.0, f64::max);
+        let from = "the normal induces no flow: without the term the condition is that of the discretisation";
+        rows.add(
+            name,
+            format!("gap {eps}, level {LEVEL}: condition of the axial systems with deflation over without"),
+            (1.0, from),
+            gained,
+        );
+    }
+    Ok(())
 }
 
 /// Numbers in [0, 1) that fill it evenly, by additive recurrence with the golden ratio and its relatives.
@@ -86,9 +117,19 @@ fn refusals(rows: &mut Rows) -> Result<(), CompareError> {
 fn rotated_meshes(rows: &mut Rows) -> Result<(), CompareError> {
     const LEVEL: usize = 1;
     const COUNT: usize = 6;
+    let centred = |eps: f64| 0.5 * (2.0 + eps);
     for eps in [1.1, 3.0] {
-        let gap = Gap::new(eps)?;
         let modes = [1.5, 3.0];
+        let velocities =
+            |level: usize, rotation: &(dyn Fn(usize) -> UnitQuaternion<f64> + Sync)| {
+                let at = |side: f64, p: [f64; 3], salt: usize| Body {
+                    mesh_rotation: rotation(salt),
+                    ..Body::squirmer(Vector3::x() * (side * centred(eps)), p.into(), &modes)
+                };
+                let bodies = [at(-1.0, [0.6, 0.7, 0.2], 0), at(1.0, [-0.3, 0.5, -0.8], 3)];
+                let motions = Lab::new(level, &bodies)?.free_motions()?;
+                Ok::<_, CompareError>(motions.iter().map(|m| m.velocity).collect::<Vec<_>>())
+            };
         let motions = (0..COUNT)
             .into_par_iter()
             .map(|k| {
@@ -100,37 +141,29 @@ fn rotated_meshes(rows: &mut Rows) -> Result<(), CompareError> {
                         6.0 * share(k, 0.569_840_290_998_053),
                     )
                 };
-                let at = |side: f64, p: [f64; 3], salt: usize| Body {
-                    mesh_rotation: turned(salt),
-                    ..Body::squirmer(
-                        Vector3::x() * (0.5 * side * gap.distance()),
-                        p.into(),
-                        &modes,
-                    )
-                };
-                let bodies = [at(-1.0, [0.6, 0.7, 0.2], 0), at(1.0, [-0.3, 0.5, -0.8], 3)];
-                let motions = Lab::new(LEVEL, &bodies)?.free_motions()?;
-                Ok(motions.iter().map(|m| m.velocity).collect::<Vec<_>>())
+                velocities(LEVEL, &turned)
             })
             .collect::<Result<Vec<_>, CompareError>>()?;
-        let mut scatter = 0.0_f64;
-        for one in &motions {
-            for (a, b) in one.iter().zip(&motions[0]) {
-                scatter = scatter.max((a - b).norm());
-            }
-        }
-        let estimate = Bem::new(LEVEL)?.error_estimate(gap, LOADS)?;
-        // Slip forces 4 B_n and drags 6, each off by the estimate, two squirmers.
-        let strength: f64 = modes.iter().sum();
-        let bound = 2.0 * 2.0 * estimate * 4.0 * strength / 6.0;
+        let apart = |one: &[Vector3<f64>], other: &[Vector3<f64>]| {
+            let pairs = one.iter().zip(other);
+            pairs.map(|(a, b)| (a - b).norm()).fold(0.0, f64::max)
+        };
+        let scatter = (motions.iter())
+            .map(|one| apart(one, &motions[0]))
+            .fold(0.0, f64::max);
+        let unturned = |_| UnitQuaternion::identity();
+        let estimate = apart(
+            &velocities(LEVEL, &unturned)?,
+            &velocities(LEVEL + 1, &unturned)?,
+        );
         rows.add(
             Method::Bem.name(),
             format!(
                 "gap {eps}: scatter of the velocities over {COUNT} random rotations of both meshes"
             ),
             (
-                bound,
-                "estimate x (slip force 4 B over drag 6), of force and drag, two squirmers",
+                6.0 * estimate,
+                "two answers, each off by three times the difference of this level from the next",
             ),
             scatter,
         );

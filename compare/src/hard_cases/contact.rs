@@ -1,5 +1,6 @@
 //! Contact: gaps from 1e-1 to 1e-14.
 
+use exact::Exact;
 use scene::balance::{External, Heading, PairVelocity, pair_velocity};
 use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, Squirmer};
 use serde::Deserialize;
@@ -15,10 +16,14 @@ const ROUNDING: f64 = 0.5 * f64::EPSILON;
 /// Velocities by lubrication theory to 50 digits, with the script that made them beside.
 const VELOCITIES: &str = include_str!("../../../fixtures/contact_velocities.csv");
 
+/// Axial drags and torques by closed series to 50 digits, likewise.
+const AXIAL_LOADS: &str = include_str!("../../../fixtures/contact_loads.csv");
+
 pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
     for model in bench.models() {
         rows.attempt(model.method().name(), "loads", |rows| loads(model, rows));
     }
+    rows.attempt(Method::Exact.name(), "closed series", closed_series);
     for model in bench.only(&[Method::Lt, Method::LtCorrected]) {
         let name = model.method().name();
         rows.attempt(name, "50 digits", |rows| fifty_digits(model, rows));
@@ -203,6 +208,44 @@ fn residual(start: f64, products: [(f64, f64); 2]) -> f64 {
         sum = total;
     }
     sum + rest
+}
+
+#[derive(Deserialize)]
+struct AxialLoads {
+    eps: f64,
+    xa_sum: f64,
+    xa_difference: f64,
+    xc_sum: f64,
+    xc_difference: f64,
+}
+
+/// Drags along and torques about the line of centres, which have closed series: the exact loads, below a gap
+/// of 1e-4 by their limiting form, against 50 digits.
+fn closed_series(rows: &mut Rows) -> Result<(), CompareError> {
+    let (name, model) = (Method::Exact.name(), Exact::new());
+    let mut worst = 0.0_f64;
+    for line in csv::Reader::from_reader(AXIAL_LOADS.as_bytes()).deserialize() {
+        let truth: AxialLoads = line?;
+        let gap = Gap::new(truth.eps)?;
+        let loads = model.loads(gap, LOADS)?;
+        let allowed = model.error_estimate(gap, LOADS)?;
+        for (found, expected) in [
+            (loads.xa.sum, truth.xa_sum),
+            (loads.xa.difference, truth.xa_difference),
+            (loads.xc.sum, truth.xc_sum),
+            (loads.xc.difference, truth.xc_difference),
+        ] {
+            let error = (found - expected).abs() / expected.max(1.0);
+            worst = worst.max(error / allowed);
+        }
+    }
+    rows.add(
+        name,
+        "error of X11A, X12A, X11C, X12C against 50 digits over the estimate, gaps 1e-1 to 1e-8",
+        (1.0, "the model's own estimate, as for all loads"),
+        worst,
+    );
+    Ok(())
 }
 
 #[derive(Deserialize)]

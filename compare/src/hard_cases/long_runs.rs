@@ -79,6 +79,16 @@ fn orbit(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareError> 
         (bound * (1.0 + state.speed / state.turning), why),
         closed.norm(),
     );
+    let from = "steps x sqrt(13) tolerance x (1 + |p|), all of it along p";
+    rows.add(
+        name,
+        of("| |p| - 1 | of the integrated orientations and line of centres"),
+        (
+            spatial.counters.steps as f64 * 13.0_f64.sqrt() * TOLERANCE * 2.0,
+            from,
+        ),
+        spatial.unit_drift,
+    );
     let lifted = spatial.end.midpoint.z.abs()
         + spatial.end.line.z.abs()
         + spatial

@@ -9,6 +9,9 @@ use crate::{Approach, Case, CompareError, Method, Model};
 const TOLERANCE: f64 = 1e-12;
 const METHODS: [Method; 3] = [Method::Lt, Method::Exact, Method::Bem];
 
+/// Departure from linear growth below which its own growth is taken.
+const NEARLY_LINEAR: f64 = 0.02;
+
 /// The encounters, without a symmetry and with one.
 const CASES: [Case; 2] = [
     Case {
@@ -131,12 +134,18 @@ fn nearly_planar(model: &Model, case: Case, rows: &mut Rows) -> Result<(), Compa
             );
         }
         // The motion is odd in z: what departs from linear growth does so as z^2, the next term as z^4.
-        let (far, near) = (departure(1e-3)?, departure(1e-4)?);
+        let (mut by, mut far) = (0.1, departure(0.1)?);
+        while far > NEARLY_LINEAR {
+            by *= 0.1;
+            far = departure(by)?;
+        }
+        let near = departure(0.1 * by)?;
         let why = "odd in z: a factor of 100 but for the next term (at most 10 departures) and both errors";
         rows.add(
             name,
             format!(
-                "{what}: departure from linear growth, 1e-3 over 1e-4 {kind}, off 100, relative"
+                "{what}: departure from linear growth, {by:.0e} over {:.0e} {kind}, off 100, relative",
+                0.1 * by
             ),
             (10.0 * far + 2.0 * noise / near, why),
             (far / near / 100.0 - 1.0).abs(),

@@ -56,6 +56,11 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
     /// The state after the further time `t` when only position and line of centres change, at the
     /// constant rates that `dy` has in the frame of the pair; none without [`Self::RELATIVE`].
     fn carried_on(&self, y: &[f64; N], dy: &[f64; N], t: f64) -> Option<[f64; N]>;
+    /// Largest departure from unit length of the directions in the state, which are integrated as vectors;
+    /// zero for angles.
+    fn unit_drift(&self, _y: &[f64; N]) -> f64 {
+        0.0
+    }
     /// How the derivative `dy` changes the configuration.
     fn rates(&self, y: &[f64; N], dy: &[f64; N]) -> Rates;
     /// `configuration` with what a symmetry of the coordinates says put right, to the last bit, where
@@ -330,6 +335,14 @@ impl<W: Effect<Swirl>> Coordinates<13> for Spatial<W> {
 
     fn carried_on(&self, _: &[f64; 13], _: &[f64; 13], _: f64) -> Option<[f64; 13]> {
         None
+    }
+
+    fn unit_drift(&self, y: &[f64; 13]) -> f64 {
+        let [first, second] = ORIENTATION;
+        [LINE, first, second]
+            .map(|at| (vector(y, at).norm() - 1.0).abs())
+            .into_iter()
+            .fold(0.0, f64::max)
     }
 
     fn rates(&self, y: &[f64; 13], dy: &[f64; 13]) -> Rates {

@@ -98,6 +98,9 @@ pub struct Run {
     pub outcome: Outcome,
     /// Time from which on the pair was in a steady bound state, and the rest known in closed form.
     pub settled: Option<f64>,
+    /// Largest departure from unit length of the vectors that were integrated: line of centres and
+    /// orientations in three dimensions, which are read as directions. Angles have none.
+    pub unit_drift: f64,
     /// What it cost.
     pub counters: Counters,
     /// Samples at multiples of the sample interval, with start, end and changes of phase.

@@ -127,6 +127,7 @@ struct Runner<'a, 'b, H: ?Sized, C, R, G, const N: usize> {
     /// Under gravity: how the line of centres has turned since the pair was bound.
     line: Option<LineHistory>,
     settled: Option<f64>,
+    unit_drift: f64,
 }
 
 impl<'a, 'b, H, C, R, G, const N: usize> Runner<'a, 'b, H, C, R, G, N>
@@ -154,6 +155,7 @@ where
             watched: None,
             line: None,
             settled: None,
+            unit_drift: 0.0,
         }
     }
 
@@ -173,6 +175,7 @@ where
             contact_time: self.contact_time,
             outcome,
             settled: self.settled,
+            unit_drift: self.unit_drift,
             counters: self.counters,
             samples: Vec::new(),
         })
@@ -412,6 +415,7 @@ where
         if let Some(dense) = dense.filter(|_| samples) {
             self.record_between(t, |t| coordinates.decode(&dense.at(t), &previous));
         }
+        self.unit_drift = self.unit_drift.max(coordinates.unit_drift(&y));
         self.now = coordinates.decode(&y, &previous);
         let end = event.filter(|_| ends_at.is_some()).map(|(gap, _, end)| {
             self.now.gap = gap;
