@@ -145,7 +145,83 @@ pub fn pair_velocity<T: Transverse>(
     balanced(gap, loads, &squirming(loads, squirmers, headings), external)
 }
 
-/// The same with swirl; `turned` are the transverse headings turned by a quarter, `d x v`.
+/// How one squirmer of a planar pair is the image of the other, which is identical but for this.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Image {
+    /// Turned by pi about the midpoint: opposite transverse headings.
+    Point,
+    /// In the mirror between the two: the same headings.
+    Mirror,
+}
+
+/// [`pair_velocity`] of a pair that is its own image, with the same bits; `heading` and `squirmer` are those of
+/// the first. What cancels between the two is not formed: one transverse block of the balance is left, and
+/// half of the loads.
+#[inline(always)]
+pub(crate) fn symmetric_velocity(
+    image: Image,
+    gap: Gap,
+    loads: &PairLoads,
+    squirmer: &Squirmer,
+    heading: &Heading<f64>,
+    external: &External<f64>,
+) -> PairVelocity<f64> {
+    let opposed = image == Image::Point;
+    // Of translations across the line, and of torques and spins, whose parity is the other one.
+    let across = |s: SelfOther| if opposed { s.difference } else { s.sum };
+    let crossed = |s: SelfOther| if opposed { s.sum } else { s.difference };
+    let (mut axial, mut force, mut torque) = (0.0, 0.0, 0.0);
+    for (n, order) in (0..loads.set().modes).zip(legendre(heading.cosine)) {
+        let (mode, b) = (loads.mode(n), squirmer.mode(n));
+        axial += 2.0 * (b * order.p) * mode.xf.difference;
+        let strength = b * order.w;
+        force += strength * across(mode.yf);
+        torque += strength * crossed(mode.yt);
+    }
+    let both = 2.0 * heading.transverse;
+    let torque = match external.torque {
+        Some([t1, t2]) if opposed => both * torque + (t1 + t2),
+        Some([t1, t2]) => both * torque + (t1 - t2),
+        None => both * torque,
+    };
+    let (speed, spin) = solve_transverse(
+        across(loads.ya),
+        across(loads.yb),
+        crossed(loads.yc),
+        both * force,
+        torque,
+    );
+    let spin = 0.5 * spin;
+    let (turning, mean_transverse) = if opposed {
+        (turning(gap, speed), 0.0)
+    } else {
+        (0.0, 0.5 * speed)
+    };
+    PairVelocity {
+        opening: opening(gap, loads, axial, external.repulsion),
+        mean_axial: 0.0,
+        mean_transverse,
+        turning,
+        spin: [spin, if opposed { spin } else { -spin }],
+    }
+}
+
+/// `d(ln eps)/dt` by the difference of the axial slip forces.
+#[inline(always)]
+fn opening(gap: Gap, loads: &PairLoads, slip_difference: f64, repulsion: f64) -> f64 {
+    // Near contact X11A - X12A goes as 1/(2 eps), so this product is of order one.
+    let per_force = -1.0 / (6.0 * (loads.xa.difference * gap.eps()));
+    // Repulsion, which comes last, is multiplied and added once.
+    slip_difference * per_force - repulsion * (2.0 * per_force)
+}
+
+/// Rate at which the line of centres turns, by the difference of the velocities across it.
+#[inline(always)]
+fn turning<T: Transverse>(gap: Gap, difference: T) -> T {
+    difference * (-1.0 / gap.distance())
+}
+
+/// [`pair_velocity`] with swirl; `turned` are the transverse headings turned by a quarter, `d x v`.
 #[inline]
 pub fn pair_velocity_with_swirl<T: Transverse>(
     gap: Gap,
@@ -218,7 +294,6 @@ fn balanced<T: Transverse>(
     slip: &Squirming<T>,
     external: &External<T>,
 ) -> PairVelocity<T> {
-    let axial_difference = slip.axial.difference - 2.0 * external.repulsion;
     // Nothing is added where there is none: the compiler sees which it is.
     let (torque_sum, torque_difference) = match external.torque {
         Some([t1, t2]) => (
@@ -242,12 +317,10 @@ fn balanced<T: Transverse>(
         torque_sum,
     );
     PairVelocity {
-        // Near contact X11A - X12A goes as 1/(2 eps), so this product is of order one.
-        // The quotient does not wait for the force.
-        opening: axial_difference * (-1.0 / (6.0 * (loads.xa.difference * gap.eps()))),
+        opening: opening(gap, loads, slip.axial.difference, external.repulsion),
         mean_axial: slip.axial.sum / (12.0 * loads.xa.sum),
         mean_transverse: sum * 0.5,
-        turning: difference * (-1.0 / gap.distance()),
+        turning: turning(gap, difference),
         spin: [
             (spin_sum + spin_difference) * 0.5,
             (spin_sum - spin_difference) * 0.5,

@@ -1,11 +1,13 @@
 //! Time against size: unknowns of boundary elements, trajectories and threads of sweeps.
 
+use std::time::Duration;
+
 use bem::Bem;
 use rayon::prelude::*;
 use scene::{Gap, RunOptions, Scene, run};
 
 use super::tables::Tables;
-use super::timing::timed;
+use super::timing::timed_within;
 use super::{CostOptions, CostRow, LOADS, Part};
 use crate::{Approach, Case, CompareError};
 
@@ -17,6 +19,9 @@ const UNKNOWNS_A_NODE: usize = 6;
 
 /// Offsets of the paths in a sweep, in radii: all collide.
 const OFFSETS: (f64, f64) = (0.5, 3.0);
+
+/// Time given to the repeats of a sweep: both cores must have been free in the best of them.
+const SWEEP_BUDGET: Duration = Duration::from_millis(800);
 
 /// Names of the parts of a solve in the rows of [`boundary_elements`].
 pub(super) const BEM_PARTS: [&str; 3] = ["bem-assembly", "bem-factorisation", "bem-substitution"];
@@ -83,7 +88,7 @@ pub(super) fn sweeps(
                 });
                 runs.sum()
             };
-            let (loads, timing) = pool.install(|| timed(sweep));
+            let (loads, timing) = pool.install(|| timed_within(SWEEP_BUDGET, sweep));
             let plural = if threads == 1 { "thread" } else { "threads" };
             rows.push(CostRow {
                 seconds: timing.seconds,

@@ -9,7 +9,7 @@ const ONCE_BEYOND: Duration = Duration::from_secs(2);
 /// Calls are timed in batches of at least this, far above the clock's resolution.
 const BATCH: Duration = Duration::from_micros(50);
 
-/// Time given to the repeats of a call, and the fewest batches.
+/// Time given to the repeats of a call unless said otherwise, and the fewest batches.
 const BUDGET: Duration = Duration::from_millis(20);
 const FEWEST: u32 = 3;
 
@@ -24,6 +24,11 @@ pub(super) struct Timing {
 
 /// The value of `call`, and what a call takes.
 pub(super) fn timed<T>(call: impl Fn() -> T) -> (T, Timing) {
+    timed_within(BUDGET, call)
+}
+
+/// The same with the time given to the repeats.
+pub(super) fn timed_within<T>(budget: Duration, call: impl Fn() -> T) -> (T, Timing) {
     let started = Instant::now();
     let value = call();
     let first = started.elapsed();
@@ -37,7 +42,7 @@ pub(super) fn timed<T>(call: impl Fn() -> T) -> (T, Timing) {
     let size = if first >= BATCH { 1 } else { batch_size(&call) };
     let (mut best, mut batches) = (f64::INFINITY, 0);
     let started = Instant::now();
-    while batches < FEWEST || started.elapsed() < BUDGET {
+    while batches < FEWEST || started.elapsed() < budget {
         best = best.min(batch(&call, size).as_secs_f64() / f64::from(size));
         batches += 1;
     }

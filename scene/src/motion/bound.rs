@@ -135,7 +135,7 @@ fn bound_state_near<H: Hydrodynamics + ?Sized>(
     y: &[f64; 6],
 ) -> Option<BoundState> {
     let relative = Planar::RELATIVE?;
-    let dy = motion.rhs(0.0, y);
+    let dy = motion.called(0.0, y);
     let (y, dy, gradients) = fixed_point(motion, 0.0, (y, &dy), relative, FROM_AFAR)?;
     let &[gap, one, two] = relative.variables else {
         return None;

@@ -10,7 +10,7 @@ use super::configuration::{Configuration, Rates, unwind};
 use super::equations::{self, Effect, Instant};
 use super::steady::Relative;
 use super::swirling::{self, Swirl};
-use crate::balance::{Heading, PairVelocity, Transverse, axial_spins};
+use crate::balance::{External, Heading, PairVelocity, Transverse, axial_spins, pair_velocity};
 use crate::{Gap, Gravity, Hydrodynamics, PairLoads, SceneError, SelfOther, Squirmer};
 
 /// Coordinates of dimension `N`.
@@ -19,6 +19,8 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
     type Across: Transverse;
     /// Index of `ln eps`.
     const LN_GAP: usize;
+    /// Whether angles are wound on from one step to the next, so that the configuration must be known at each.
+    const WOUND: bool = false;
     /// The variables that without gravity are a system of their own, if there are such.
     const RELATIVE: Option<Relative>;
 
@@ -50,6 +52,17 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
         G: Effect<Gravity>,
     {
         equations::derivative(self, y, headings, at, failure)
+    }
+    /// Velocity of the pair without swirl.
+    #[inline(always)]
+    fn velocity(
+        gap: Gap,
+        loads: &PairLoads,
+        squirmers: &[Squirmer; 2],
+        headings: &[Heading<Self::Across>; 2],
+        external: &External<Self::Across>,
+    ) -> PairVelocity<Self::Across> {
+        pair_velocity(gap, loads, squirmers, headings, external)
     }
     /// Time derivative of the state for a velocity of the pair.
     fn derivative(&self, y: &[f64; N], velocity: &PairVelocity<Self::Across>) -> [f64; N];
@@ -241,6 +254,7 @@ const ORIENTATION: [usize; 2] = [7, 10];
 
 impl<W: Effect<Swirl>> Coordinates<13> for Spatial<W> {
     type Across = Vector3<f64>;
+    const WOUND: bool = true;
     const LN_GAP: usize = SPATIAL_LN_GAP;
     const RELATIVE: Option<Relative> = None;
 

@@ -1,7 +1,7 @@
 //! The equation of motion: loads, balance and kinematics put together.
 
 use super::coordinates::Coordinates;
-use crate::balance::{External, Heading, pair_velocity};
+use crate::balance::{External, Heading};
 use crate::ode::System;
 use crate::{Gap, Gravity, Hydrodynamics, LoadSet, Repulsion, SceneError, Squirmer};
 
@@ -54,8 +54,8 @@ where
     R: Effect<Repulsion>,
     G: Effect<Gravity>,
 {
-    // One compiled copy, with everything inside it: a step calls it from fifteen places.
-    #[inline(never)]
+    // The stepper's loop over stages has it inside, its state in registers; others call one copy of it.
+    #[inline(always)]
     fn rhs(&mut self, _t: f64, y: &[f64; N]) -> [f64; N] {
         // Two modes, the usual number, are known to the compiler: it keeps their loads out of memory.
         match self.set.modes {
@@ -152,7 +152,7 @@ where
         }
     };
     let external = at.external(coordinates, y);
-    let velocity = pair_velocity(at.gap, loads, at.squirmers, headings, &external);
+    let velocity = C::velocity(at.gap, loads, at.squirmers, headings, &external);
     let mut dy = coordinates.derivative(y, &velocity);
     if let Some(gravity) = at.gravity.get() {
         coordinates.add_axial_spin(y, &mut dy, loads, gravity, at.squirmers);

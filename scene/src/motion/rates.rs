@@ -50,7 +50,7 @@ impl Task for Evaluation<'_> {
         G: Effect<Gravity>,
     {
         let y = motion.coordinates.encode(self.configuration);
-        let mut dy = motion.rhs(0.0, &y);
+        let mut dy = motion.called(0.0, &y);
         for _ in 1..self.times {
             dy = black_box(motion.rhs(0.0, black_box(&y)));
         }

@@ -325,6 +325,11 @@ where
         self.watch_at(self.t, self.now);
     }
 
+    /// Whether configurations on the way are kept.
+    fn is_watching(&self) -> bool {
+        self.motion.gravity.get().is_some() || self.t >= WATCHED_FROM * self.options.end_time
+    }
+
     fn watch_at(&mut self, t: f64, configuration: Configuration) {
         if self.motion.gravity.get().is_some() {
             self.line = LineHistory::follow(self.line, &configuration);
@@ -405,8 +410,12 @@ where
             }
             _ => None,
         };
-        let (t, y) = match (&dense, ends_at) {
-            (Some(dense), Some(t)) => (t, dense.at(t)),
+        let (t, y) = match (&dense, ends_at, &event) {
+            (Some(dense), Some(t), Some((gap, ..))) => {
+                let mut y = dense.at(t);
+                y[of] = gap.ln();
+                (t, y)
+            }
             _ => (step.t1, step.y1),
         };
         self.track_gap(step, dense.as_ref(), t, &y);
@@ -416,17 +425,20 @@ where
             self.record_between(t, |t| coordinates.decode(&dense.at(t), &previous));
         }
         self.unit_drift = self.unit_drift.max(coordinates.unit_drift(&y));
-        self.now = coordinates.decode(&y, &previous);
-        let end = event.filter(|_| ends_at.is_some()).map(|(gap, _, end)| {
-            self.now.gap = gap;
-            end
-        });
         self.t = t;
-        if let Some((_, gaps)) = self.watched.as_mut().filter(|_| turns) {
-            gaps.minima += 1;
+        let end = event.filter(|_| ends_at.is_some());
+        // Until then nothing but the state itself is asked for.
+        if C::WOUND || end.is_some() || self.is_watching() {
+            self.now = coordinates.decode(&y, &previous);
+            if let Some((gap, ..)) = end {
+                self.now.gap = gap;
+            }
+            if let Some((_, gaps)) = self.watched.as_mut().filter(|_| turns) {
+                gaps.minima += 1;
+            }
+            self.watch();
         }
-        self.watch();
-        Ok(end)
+        Ok(end.map(|(_, _, end)| end))
     }
 
     /// Smallest gap and time in contact over a step, up to `(t, y)`.

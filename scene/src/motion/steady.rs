@@ -147,7 +147,7 @@ pub(super) fn fixed_point<S: System<N>, const N: usize>(
         if moved.any(|m| m.is_nan() || m > newton.nearby) {
             return None;
         }
-        dy = system.rhs(t, &y);
+        dy = system.called(t, &y);
     }
     None
 }
@@ -169,7 +169,7 @@ fn gradients<S: System<N>, const N: usize>(
         let mut at = |offset: f64| {
             let mut y = *y;
             y[j] += offset;
-            system.rhs(t, &y)
+            system.called(t, &y)
         };
         let (above, below) = (at(DIFFERENCE), at(-DIFFERENCE));
         let rows = relative.variables.iter().enumerate();
@@ -215,7 +215,7 @@ mod tests {
             [f.x, f.y, f.z, 1.0 + r.x]
         };
         let y = [start, -start, start, 0.0];
-        let dy = system.rhs(0.0, &y);
+        let dy = system.called(0.0, &y);
         let relative = Relative {
             variables: &[0, 1, 2],
             driven: 3,

@@ -8,8 +8,8 @@ use std::f64::consts::{PI, TAU};
 use super::configuration::{Configuration, Rates, unwind};
 use super::coordinates::{Coordinates, direction};
 use super::steady::Relative;
-use crate::balance::{Heading, PairVelocity};
-use crate::{Gap, Gravity, Squirmer};
+use crate::balance::{External, Heading, Image, PairVelocity, symmetric_velocity};
+use crate::{Gap, Gravity, PairLoads, Squirmer};
 
 /// Unit vector a quarter turn on.
 fn across(v: Vector3<f64>) -> Vector3<f64> {
@@ -69,6 +69,17 @@ impl Coordinates<3> for PointSymmetric {
     fn gravity_torques(&self, _: &[f64; 3], _: Gravity, _: &[Squirmer; 2]) -> [f64; 2] {
         // Gravity breaks this symmetry: no plan has both.
         [0.0; 2]
+    }
+
+    #[inline(always)]
+    fn velocity(
+        gap: Gap,
+        loads: &PairLoads,
+        [squirmer, _]: &[Squirmer; 2],
+        [heading, _]: &[Heading<f64>; 2],
+        external: &External<f64>,
+    ) -> PairVelocity<f64> {
+        symmetric_velocity(Image::Point, gap, loads, squirmer, heading, external)
     }
 
     #[inline]
@@ -167,6 +178,17 @@ impl Coordinates<3> for MirrorSymmetric {
         let down = gravity.direction().dot(&across(self.line));
         let torque = -squirmers[0].gravity_torque() * (y[2].cos() * down);
         [torque, -torque]
+    }
+
+    #[inline(always)]
+    fn velocity(
+        gap: Gap,
+        loads: &PairLoads,
+        [squirmer, _]: &[Squirmer; 2],
+        [heading, _]: &[Heading<f64>; 2],
+        external: &External<f64>,
+    ) -> PairVelocity<f64> {
+        symmetric_velocity(Image::Mirror, gap, loads, squirmer, heading, external)
     }
 
     #[inline]

@@ -5,9 +5,8 @@
 //! control is that of the authors' code DOP853 with its default constants.
 
 use super::tableau::{
-    DENSE_3, DENSE_4, DENSE_5, DENSE_6, ERROR_3, ERROR_5, STAGE_1, STAGE_2, STAGE_3, STAGE_4,
-    STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9, STAGE_10, STAGE_11, STAGE_13, STAGE_14, STAGE_15,
-    STEP, Stage, Weights,
+    DENSE_3, DENSE_4, DENSE_5, DENSE_6, ERROR_3, ERROR_5, ROWS, STAGE_13, STAGE_14, STAGE_15, STEP,
+    Stage, Weights,
 };
 use super::{OdeError, System};
 
@@ -94,7 +93,7 @@ impl<const N: usize> Stepper<N> {
             return Err(OdeError::NotFinite { t });
         }
         self.evaluations += 1;
-        let dy = system.rhs(t, &y);
+        let dy = system.called(t, &y);
         if !finite(&dy) {
             return Err(OdeError::NotFinite { t });
         }
@@ -176,7 +175,7 @@ impl<const N: usize> Stepper<N> {
         let h0 = h0.min(left.abs()).max(smallest_step(self.t));
         let signed = h0.copysign(left);
         let euler = std::array::from_fn(|i| self.y[i] + signed * self.dy[i]);
-        let ahead = system.rhs(self.t + signed, &euler);
+        let ahead = system.called(self.t + signed, &euler);
         let change = std::array::from_fn(|i| ahead[i] - self.dy[i]);
         let steepest = (scaled(&change).sqrt() / h0).max(rate.sqrt());
         self.evaluations += 1;
@@ -284,21 +283,25 @@ impl<const N: usize> Step<N> {
     #[inline]
     fn attempt<S: System<N>>(&mut self, system: &mut S, tol: f64) -> (Option<f64>, usize) {
         let h = self.t1 - self.t0;
+        // The last derivative is what a stage waits for: it comes in where all else is ready, and through
+        // registers. So there is one place that calls the system, with the system inside the loop.
+        let mut last = self.k[0];
         let mut spent = 0;
-        let mut finite_so_far = true;
-        macro_rules! stages {
-            ($($index:literal: $stage:ident),*) => {$(
-                if finite_so_far {
-                    self.k[$index] = derivative(system, self.t0, &self.y0, h, &self.k, &$stage);
-                    finite_so_far = finite(&self.k[$index]);
-                    spent += 1;
+        for row in &ROWS {
+            let mut slope = [0.0; N];
+            for (k, weight) in self.k.iter().zip(&row.a).take(spent) {
+                for i in 0..N {
+                    slope[i] += weight * k[i];
                 }
-            )*};
-        }
-        stages!(1: STAGE_1, 2: STAGE_2, 3: STAGE_3, 4: STAGE_4, 5: STAGE_5, 6: STAGE_6);
-        stages!(7: STAGE_7, 8: STAGE_8, 9: STAGE_9, 10: STAGE_10, 11: STAGE_11);
-        if !finite_so_far {
-            return (None, spent);
+            }
+            let reach = h * row.a[spent];
+            let y = std::array::from_fn(|i| (self.y0[i] + h * slope[i]) + reach * last[i]);
+            last = system.rhs(self.t0 + row.c * h, &y);
+            spent += 1;
+            self.k[spent] = last;
+            if !finite(&last) {
+                return (None, spent);
+            }
         }
         let slope = weighted(&STEP, &self.k);
         self.y1 = std::array::from_fn(|i| self.y0[i] + h * slope[i]);
@@ -309,7 +312,7 @@ impl<const N: usize> Step<N> {
         if error > 1.0 {
             return (Some(error), spent);
         }
-        self.dy1 = system.rhs(self.t1, &self.y1);
+        self.dy1 = system.called(self.t1, &self.y1);
         (finite(&self.dy1).then_some(error), spent + 1)
     }
 
@@ -403,7 +406,7 @@ fn weighted<const N: usize, const M: usize>(weights: &Weights<M>, k: &[[f64; N]]
     sum
 }
 
-/// Derivative at one stage of the step `h` from `(t, y)`.
+/// Derivative at one stage of the dense output of the step `h` from `(t, y)`.
 #[inline(always)]
 fn derivative<S: System<N>, const N: usize, const M: usize>(
     system: &mut S,
@@ -414,10 +417,8 @@ fn derivative<S: System<N>, const N: usize, const M: usize>(
     stage: &Stage<M>,
 ) -> [f64; N] {
     let slope = weighted(&stage.a, k);
-    system.rhs(
-        t + stage.c * h,
-        &std::array::from_fn(|i| y[i] + h * slope[i]),
-    )
+    let y = std::array::from_fn(|i| y[i] + h * slope[i]);
+    system.called(t + stage.c * h, &y)
 }
 
 /// Whether all components are finite, without branches.

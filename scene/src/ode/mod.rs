@@ -34,6 +34,13 @@ pub trait System<const N: usize> {
     /// `dy/dt` at time `t` and state `y`; NaN where `y` is outside the system's domain, which makes
     /// the stepper try again with a shorter step.
     fn rhs(&mut self, t: f64, y: &[f64; N]) -> [f64; N];
+
+    /// [`Self::rhs`] as a call: one compiled copy for everybody but the loop over the stages of a step, which has it
+    /// inside.
+    #[inline(never)]
+    fn called(&mut self, t: f64, y: &[f64; N]) -> [f64; N] {
+        self.rhs(t, y)
+    }
 }
 
 impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> System<N> for F {

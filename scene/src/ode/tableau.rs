@@ -7,7 +7,7 @@
 //!
 //! Stages count from zero: stage 0 is the derivative at the start of the step, stages 1 to 11 make
 //! the step, stage 12 is the derivative at its end and stages 13 to 15 serve the dense output only.
-//! Rows are sparse, pairs of stage and weight, so that the zeros cost nothing.
+//! Rows are written sparse, as pairs of stage and weight.
 
 /// Weights of the stages that contribute, as `(stage, weight)`.
 pub(super) type Weights<const M: usize> = [(usize, f64); M];
@@ -18,6 +18,42 @@ pub(super) struct Stage<const M: usize> {
     pub c: f64,
     /// Row of the Runge-Kutta matrix.
     pub a: Weights<M>,
+}
+
+/// The same with the zeros, as the loop over the stages of a step has it.
+pub(super) struct Row {
+    /// Time of the stage as a fraction of the step.
+    pub c: f64,
+    /// Row of the Runge-Kutta matrix.
+    pub a: [f64; 11],
+}
+
+/// Stages 1 to 11.
+pub(super) static ROWS: [Row; 11] = [
+    STAGE_1.row(),
+    STAGE_2.row(),
+    STAGE_3.row(),
+    STAGE_4.row(),
+    STAGE_5.row(),
+    STAGE_6.row(),
+    STAGE_7.row(),
+    STAGE_8.row(),
+    STAGE_9.row(),
+    STAGE_10.row(),
+    STAGE_11.row(),
+];
+
+impl<const M: usize> Stage<M> {
+    const fn row(&self) -> Row {
+        let mut a = [0.0; 11];
+        let mut n = 0;
+        while n < M {
+            let (stage, weight) = self.a[n];
+            a[stage] = weight;
+            n += 1;
+        }
+        Row { c: self.c, a }
+    }
 }
 
 /// Stage 1.

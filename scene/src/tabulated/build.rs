@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use super::chebyshev::{MAX_DEGREE, coefficients, points};
+use super::parts::Parts;
 use super::{FAR_GAP, Piece, Table, TableLimit, TableSummary, Tabulated};
 use crate::{Gap, GapRange, Hydrodynamics, LoadSet, SceneError, singular};
 
@@ -22,6 +23,9 @@ pub struct TableOptions {
 
 /// Degree at which the search begins.
 const FIRST_DEGREE: usize = 4;
+
+/// Share of the interpolation error that the parts of a piece may add.
+const PARTS_ACCURACY: f64 = 1e-3;
 
 /// Halvings of a piece after which its interpolant is taken as it is.
 const MAX_HALVINGS: usize = 12;
@@ -162,7 +166,8 @@ impl<M: Hydrodynamics> Builder<'_, M> {
         let mut values = self.values(coordinate, low, high, degree, None)?;
         loop {
             let rows = coefficients(&values);
-            let error = tail(&rows, &values, &self.options.set.read_columns());
+            let read = self.options.set.read_columns();
+            let error = tail(&rows, &values, &read);
             let done = error <= self.target;
             if done || (degree == MAX_DEGREE && halvings == MAX_HALVINGS) {
                 // The model is least sure at the smallest gap.
@@ -172,13 +177,16 @@ impl<M: Hydrodynamics> Builder<'_, M> {
                 };
                 let gap = coordinate.gap(worst)?;
                 let of_pair = self.options.set.column_count();
-                let (pair, swirl): (Vec<_>, Vec<_>) =
-                    rows.iter().map(|row| row.split_at(of_pair)).unzip();
+                let (pair, swirl): (Vec<_>, Vec<_>) = (rows.iter())
+                    .map(|row| row.split_at(of_pair))
+                    .map(|(pair, swirl)| (pair.to_vec(), swirl.to_vec()))
+                    .unzip();
+                let accuracy = PARTS_ACCURACY * self.target;
                 let piece = Piece {
                     low,
                     high,
-                    coefficients: pair.concat(),
-                    swirl: swirl.concat(),
+                    pair: Parts::of_series(&pair, accuracy, &read),
+                    swirl: Parts::of_series(&swirl, accuracy, &[]),
                     error: self.model.error_estimate(gap, self.options.set)?,
                 };
                 return Ok(vec![(piece, error)]);
@@ -252,7 +260,7 @@ fn inside(x: f64, low: f64, high: f64) -> f64 {
 
 /// Size of the last coefficients, in columns relative to the larger of their values and 1, leaving out those of
 /// the pair that are not `read`.
-fn tail(rows: &[Vec<f64>], values: &[Vec<f64>], read: &[bool]) -> f64 {
+pub(super) fn tail(rows: &[Vec<f64>], values: &[Vec<f64>], read: &[bool]) -> f64 {
     let columns = rows.first().map_or(0, Vec::len);
     (0..columns)
         .filter(|&column| read.get(column).is_none_or(|read| *read))

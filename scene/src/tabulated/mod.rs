@@ -3,18 +3,20 @@
 //! Up to the gap [`FAR_GAP`] the table interpolates in `ln eps` what is left of the loads when the
 //! parts that diverge at contact ([`singular`]) are subtracted; beyond, in `1/r`, out to infinity.
 //! Pieces end at the model's seams. Chebyshev points are doubled, and pieces halved, until the
-//! last coefficients are below the tolerance or the model's own noise. Below its smallest gap a
+//! last coefficients are below the tolerance or the model's own noise; what is evaluated are polynomials
+//! of low degree on equal parts of a piece (`parts`). Below its smallest gap a
 //! table asks the model, which may have a closed form there, or refuse.
 
 mod build;
 mod cache;
 mod chebyshev;
+mod parts;
 
 pub use build::TableOptions;
 
 use serde::{Deserialize, Serialize};
 
-use self::chebyshev::add_interpolant;
+use self::parts::Parts;
 use crate::loads::{MAX_MODES, PairLoads};
 use crate::singular::Singular;
 use crate::swirl::swirl_column_count;
@@ -48,18 +50,19 @@ pub struct TableSummary {
 struct Piece {
     low: f64,
     high: f64,
-    /// Row `j` holds the coefficients of `T_j`, one a column of [`PairLoads::columns`].
-    coefficients: Vec<f64>,
-    /// The same for the columns of [`SwirlLoads::columns`].
-    swirl: Vec<f64>,
+    /// The columns of [`PairLoads::columns`].
+    pair: Parts,
+    /// The columns of [`SwirlLoads::columns`].
+    swirl: Parts,
     /// The model's error estimate in this piece.
     error: f64,
 }
 
 impl Piece {
-    /// Where `x` lies in the piece, as a number in [-1, 1].
+    /// Where `x` lies in the piece, as a number in [0, 1].
+    #[inline]
     fn relative(&self, x: f64) -> f64 {
-        (2.0 * x - self.low - self.high) / (self.high - self.low)
+        (x - self.low) / (self.high - self.low)
     }
 }
 
@@ -138,8 +141,7 @@ impl Table {
         } else {
             [0.0; N]
         };
-        let width = self.set.column_count();
-        let columns = add_interpolant(&piece.coefficients, width, piece.relative(x), singular);
+        let columns = piece.pair.add_to(piece.relative(x), singular);
         Ok(PairLoads::from_columns(set, layout, &columns))
     }
 
@@ -154,8 +156,7 @@ impl Table {
                 *column = s;
             }
         }
-        let width = swirl_column_count(self.set.swirl);
-        let columns = add_interpolant(&piece.swirl, width, piece.relative(x), columns);
+        let columns = piece.swirl.add_to(piece.relative(x), columns);
         Ok(SwirlLoads::from_columns(set, &columns))
     }
 
