@@ -107,6 +107,25 @@ fn full_disk(program: &Path, rows: &mut Rows) -> Result<(), CompareError> {
         (0.0, "every write is checked"),
         f64::from(u8::from(wrong)),
     );
+    // What is printed may go to a full disk too.
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full");
+    let full = full.map_err(failed(Path::new("/dev/full")))?;
+    let elsewhere = temporary()?;
+    let output = command(program, CLOSED, elsewhere.path())
+        .stdout(full)
+        .stderr(Stdio::piped())
+        .output()
+        .map_err(failed(program))?;
+    let lines = String::from_utf8_lossy(&output.stderr)
+        .trim()
+        .lines()
+        .count();
+    rows.add(
+        ALL,
+        "the same of what is printed",
+        (0.0, "standard output may refuse as any file"),
+        f64::from(u8::from(lines != 1 || output.status.code() != Some(2))),
+    );
     rows.add(
         ALL,
         "files left on a full disk",
