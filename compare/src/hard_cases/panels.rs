@@ -46,7 +46,7 @@ pub(super) fn panels(rows: &mut Rows) -> Result<(), CompareError> {
         let nodes = sphere.of_longest_panels();
         rows.add(
             name,
-            format!("level {level}, gap {eps:e}, nodes of panels of aspect ratio up to {ratio:.1}: error of quadrature, relative"),
+            format!("level {level}, gap {eps:.2e}, nodes of panels of aspect ratio up to {ratio:.1}: error of quadrature, relative"),
             (TOLERANCE, why),
             larger(sphere.error(&nodes, false), sphere.error(&nodes, true)),
         );
