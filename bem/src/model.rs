@@ -104,6 +104,24 @@ impl Bem {
         self.solve_with(&self.families, gap, set)
     }
 
+    /// The same with the error estimate of [`Hydrodynamics::error_estimate`], for the price of that alone.
+    ///
+    /// # Errors
+    /// As [`Hydrodynamics::loads`].
+    pub fn solve_with_estimate(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairSolution, f64), SceneError> {
+        let fine = self.solve(gap, set)?;
+        let coarse = self.solve_with(&self.coarser, gap, set)?;
+        let by_swirl = (fine.swirl.columns().zip(coarse.swirl.columns()))
+            .map(|(a, b)| (a - b).abs() / a.abs().max(1.0))
+            .fold(0.0, f64::max);
+        let estimate = CAUTION * difference(&fine.loads, &coarse.loads).max(by_swirl);
+        Ok((fine, estimate))
+    }
+
     /// Condition numbers of the systems that [`Self::solve`] solves.
     ///
     /// # Errors
@@ -160,12 +178,7 @@ impl Hydrodynamics for Bem {
     /// The difference from the next coarser level: since errors fall by about three a level, it is
     /// about twice the error of the finer one.
     fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
-        let fine = self.solve(gap, set)?;
-        let coarse = self.solve_with(&self.coarser, gap, set)?;
-        let by_swirl = (fine.swirl.columns().zip(coarse.swirl.columns()))
-            .map(|(a, b)| (a - b).abs() / a.abs().max(1.0))
-            .fold(0.0, f64::max);
-        Ok(CAUTION * difference(&fine.loads, &coarse.loads).max(by_swirl))
+        Ok(self.solve_with_estimate(gap, set)?.1)
     }
 
     fn seams(&self) -> Vec<f64> {

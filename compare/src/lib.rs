@@ -24,6 +24,7 @@ mod provenance;
 pub mod report;
 pub mod scene_file;
 pub mod scene_run;
+mod streams;
 pub mod sweep;
 
 pub use case::{Approach, Case};

@@ -5,6 +5,7 @@ use super::commands::{model_options, print_rows, set_up, sweep_options};
 use super::maps::METHODS;
 use crate::bottom_heavy::{PanelCase, PanelRun, panel_runs};
 use crate::output::{OutputFolder, csv_text};
+use crate::streams::complain;
 use crate::{CompareError, Defaults, pictures};
 
 pub(super) fn run(
@@ -28,7 +29,7 @@ pub(super) fn run(
     print(&runs);
     for run in &runs {
         if let Err(reason) = &run.run {
-            eprintln!("{}", failure(run, reason));
+            complain!("{}", failure(run, reason));
         }
     }
     Ok(())

@@ -11,6 +11,7 @@ use super::maps;
 use crate::numbers::Numbers;
 use crate::output::{OutputFolder, csv_text};
 use crate::scene_file::SAMPLE_INTERVAL;
+use crate::streams::{complain, say};
 use crate::sweep::SweepOptions;
 use crate::{Approach, Case, CompareError, Defaults, Encounter, Method, Model, ModelOptions};
 use crate::{full_report, pictures, sweep};
@@ -43,7 +44,7 @@ pub(super) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), Compare
             let sweep = sweep_options(runs.tol, runs.time_limit)?;
             let out = OutputFolder::open(&arguments.out)?;
             let path = full_report::write(&methods, &options, &sweep, &out, typed)?;
-            println!("{}", path.display());
+            say!("{}", path.display());
             Ok(())
         }
     }
@@ -353,7 +354,7 @@ fn print_encounters(encounters: &[Encounter]) {
 fn print_failures(encounters: &[Encounter]) {
     for encounter in encounters {
         if let Err(reason) = &encounter.run {
-            eprintln!("{}", failure(encounter, reason));
+            complain!("{}", failure(encounter, reason));
         }
     }
 }
@@ -379,5 +380,5 @@ pub(super) fn print_rows(header: &[&str], rows: impl Iterator<Item = Vec<String>
     for column in table.column_iter_mut() {
         column.set_cell_alignment(CellAlignment::Right);
     }
-    println!("{table}");
+    say!("{table}");
 }

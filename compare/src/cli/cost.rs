@@ -14,6 +14,7 @@ use crate::cost::{
 use crate::figures::{deflections_work_precision, loads_work_precision};
 use crate::output::{OutputFolder, csv_text};
 use crate::progress::Progress;
+use crate::streams::{say, write_out};
 use crate::{CompareError, provenance};
 
 /// Angle that is aimed at when nothing is said, in degrees.
@@ -60,7 +61,7 @@ pub(super) fn run(
     print_recommendations(&recommended);
     let found = findings(&rows);
     out.write("cost-findings.csv", &csv_text(&found)?)?;
-    println!();
+    say!("");
     print_findings(&found);
     let mut lines = Vec::new();
     if arguments.profile {
@@ -78,7 +79,7 @@ pub(super) fn run(
     ]);
     let text = lines.join("\n") + "\n";
     out.write("cost.txt", &text)?;
-    print!("\n{text}");
+    write_out(format_args!("\n{text}"));
     Ok(())
 }
 

@@ -5,6 +5,7 @@ use comfy_table::{Table, presets};
 use super::args::Arguments;
 use crate::hard_cases::{Bench, GROUPS, Group, HardCaseRow, all_rows};
 use crate::output::{OutputFolder, csv_text};
+use crate::streams::say;
 use crate::{CompareError, ModelOptions};
 
 pub(super) fn run(general: &Arguments) -> Result<(), CompareError> {
@@ -27,12 +28,12 @@ pub(super) fn run(general: &Arguments) -> Result<(), CompareError> {
             bounds: rows.len(),
         });
     }
-    println!("all {} bounds hold", rows.len());
+    say!("all {} bounds hold", rows.len());
     Ok(())
 }
 
 fn print<'a>(group: &Group, rows: impl Iterator<Item = &'a HardCaseRow>) {
-    println!("{}: {}", group.name, group.hazard);
+    say!("{}: {}", group.name, group.hazard);
     let mut table = Table::new();
     table.load_preset(presets::NOTHING);
     table.set_header(["method", "measure", "bound", "value", "holds"]);
@@ -45,5 +46,5 @@ fn print<'a>(group: &Group, rows: impl Iterator<Item = &'a HardCaseRow>) {
             if row.holds { "yes" } else { "NO" }.to_owned(),
         ]
     }));
-    println!("{table}\n");
+    say!("{table}\n");
 }

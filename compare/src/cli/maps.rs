@@ -7,6 +7,7 @@ use super::commands::{model_options, print_rows, set_up, sweep_options};
 use crate::maps::{self, BoundExample, FateRow, Grid, Pair, TrustRow, TrustShares};
 use crate::numbers::{Numbers, parse_numbers};
 use crate::output::{OutputFolder, csv_text};
+use crate::streams::say;
 use crate::sweep::SweepOptions;
 use crate::{CompareError, Method, Model, pictures};
 
@@ -171,7 +172,7 @@ pub(super) fn trust(arguments: &TrustArguments, general: &Arguments) -> Result<(
         .collect();
     let examples = maps::bound_examples(&in_plane, &states);
     run.out.write("trust_examples.csv", &csv_text(&examples)?)?;
-    println!();
+    say!("");
     print_examples(&examples);
     Ok(())
 }

@@ -15,6 +15,7 @@ use clap::Parser;
 use clap::error::ErrorKind;
 
 use crate::CompareError;
+use crate::streams::{complain, refused, write_out};
 use args::Arguments;
 
 /// Runs the command line `arguments` (the program's name first).
@@ -35,10 +36,10 @@ where
         .map(|argument| argument.to_string_lossy().into_owned())
         .collect();
     let done = set_threads(parsed.threads).and_then(|()| commands::run(&parsed, &typed));
-    match done {
+    match done.and_then(|()| refused()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error}");
+            complain!("error: {error}");
             ExitCode::from(error.exit_status())
         }
     }
@@ -52,7 +53,7 @@ fn refuse(error: &clap::Error) -> ExitCode {
             | ErrorKind::DisplayVersion
             | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
     ) {
-        print!("{error}");
+        write_out(format_args!("{error}"));
         return ExitCode::SUCCESS;
     }
     let text = error.to_string();
@@ -60,7 +61,7 @@ fn refuse(error: &clap::Error) -> ExitCode {
         .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
         .filter(|line| !line.is_empty())
         .collect();
-    eprintln!("{} (see --help)", lines.join(" "));
+    complain!("{} (see --help)", lines.join(" "));
     ExitCode::from(2)
 }
 

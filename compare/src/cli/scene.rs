@@ -11,6 +11,7 @@ use super::args::Arguments;
 use super::commands::print_rows;
 use crate::output::OutputFolder;
 use crate::scene_run::{self, SampleRow, Summary};
+use crate::streams::say;
 use crate::{CompareError, Model, ModelOptions, SceneFile};
 
 #[derive(Debug, Args)]
@@ -63,7 +64,7 @@ pub(super) fn run(arguments: &RunArguments, general: &Arguments) -> Result<(), C
     let json = summary.json()?;
     out.write("run.json", &json)?;
     if arguments.json {
-        println!("{json}");
+        say!("{json}");
     } else {
         print_summary(&summary, &run, &rows);
     }
@@ -143,19 +144,19 @@ pub(super) fn explain(
     let classes: Vec<_> = (needed.symmetry_classes().iter())
         .map(ToString::to_string)
         .collect();
-    println!("hydrodynamics   {}", file.method.title());
-    println!(
+    say!("hydrodynamics   {}", file.method.title());
+    say!(
         "state           {}: {} numbers ({})",
         plan.state(),
         plan.state().numbers(),
         plan.state().variables()
     );
-    println!("loads           {}", needed.names().join("; "));
-    println!(
+    say!("loads           {}", needed.names().join("; "));
+    say!(
         "symmetry classes of boundary elements   {}",
         classes.join(", ")
     );
-    println!();
+    say!("");
     let header = ["effect", "runs", "share of cost", "why"];
     let mut table = comfy_table::Table::new();
     table
@@ -169,9 +170,9 @@ pub(super) fn explain(
             line.reason,
         ]
     }));
-    println!("{table}");
-    println!();
-    println!(
+    say!("{table}");
+    say!("");
+    say!(
         "One right-hand side takes {:.3} µs at the start. Shares are measured now, on this machine: its time with \
          the effect and without. That of a symmetry is negative: what it saves.",
         1e6 * clock.whole

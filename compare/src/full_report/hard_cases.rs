@@ -19,8 +19,9 @@ pub(super) fn section(options: &ModelOptions, out: &OutputFolder) -> Result<Sect
         id: "hard-cases".to_owned(),
         title: "Hard cases".to_owned(),
         prose: vec![format!(
-            "Contact down to a gap of 1e-14 and 1e-300, stiff forces, unstable states, runs to t = 10,000, \
-             broken symmetry, far separations, random gaps, and the ends of the machine's numbers and files: \
+            "Contact down to a gap of 1e-14 and 1e-300, stiff forces, unstable states, orbits and oscillations up to \
+             t = 10,000, broken symmetry, far separations, the worst panels, random gaps, and the ends of the machine's \
+             numbers, files and processes: \
              each is measured and held against a bound that follows from rounding, the tolerance or a \
              closed form. {verdict}"
         )],

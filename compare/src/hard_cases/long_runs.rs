@@ -1,4 +1,5 @@
-//! Runs to t = 10,000: an orbit, and an oscillating bottom-heavy pair.
+//! Runs to t = 10,000: an orbit, a bottom-heavy pair that comes to rest, and pairs that never do
+//! ([`super::oscillation`]).
 
 use std::f64::consts::PI;
 
@@ -7,12 +8,13 @@ use scene::{
     bound_states,
 };
 
-use super::{Bench, Rows, SIZE, stepping_error, until};
+use super::rows::larger;
+use super::{Bench, Rows, SIZE, oscillation, stepping_error, until};
 use crate::maps::Pair;
 use crate::{CompareError, Defaults, Method, Model};
 
-const TIME: f64 = 10_000.0;
-const TOLERANCE: f64 = 1e-10;
+pub(super) const TIME: f64 = 10_000.0;
+pub(super) const TOLERANCE: f64 = 1e-10;
 
 pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
     // Who orbits: pushers under lubrication theory, pullers under exact loads.
@@ -22,10 +24,9 @@ pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
         }
     }
     for model in bench.only(&[Method::Lt]) {
-        rows.attempt(model.method().name(), "oscillation", |rows| {
-            oscillation(model, rows)
-        });
+        rows.attempt(model.method().name(), "rest", |rows| rest(model, rows));
     }
+    oscillation::cases(bench, rows);
 }
 
 /// A stable orbit, integrated in three dimensions, where no run ends early, and in the plane, where the
@@ -79,14 +80,10 @@ fn orbit(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareError> 
         (bound * (1.0 + state.speed / state.turning), why),
         closed.norm(),
     );
-    let from = "steps x sqrt(13) tolerance x (1 + |p|), all of it along p";
     rows.add(
         name,
         of("| |p| - 1 | of the integrated orientations and line of centres"),
-        (
-            spatial.counters.steps as f64 * 13.0_f64.sqrt() * TOLERANCE * 2.0,
-            from,
-        ),
+        (unit_drift(&spatial), UNIT_DRIFT),
         spatial.unit_drift,
     );
     let lifted = spatial.end.midpoint.z.abs()
@@ -114,30 +111,41 @@ fn orbit(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareError> 
     Ok(())
 }
 
-const HELD: &str = "sqrt(13) tolerance x (1 + |y|) a step: at the limit of stability / 0.54, and over the slowest decay";
+pub(super) const UNIT_DRIFT: &str = "steps x sqrt(13) tolerance x (1 + |p|), all of it along p";
+
+/// How far the vectors of a run in three dimensions may grow or shrink.
+pub(super) fn unit_drift(run: &scene::Run) -> f64 {
+    run.counters.steps as f64 * 13.0_f64.sqrt() * TOLERANCE * 2.0
+}
+
+const HELD: &str = "sqrt(13) tolerance x (1 + |y|) a step: 2.0103 of it left by the last, and over the slowest decay";
 
 /// How far steps keep a spatial state from the fixed point that it is drawn to at the rate `growth < 0`. The
 /// error norm, a mean over the 13 variables, allows one of them `sqrt(13) tolerance (1 + |y|)` in each step.
 /// What is left of earlier steps' errors adds up over the time of the slowest decay; where the fastest rate
-/// holds the steps at the limit of stability, a deviation is estimated at 0.54 of itself or more, as for
-/// [`TREMOR`].
+/// holds the steps at the limit of stability, [`LEFT`] of that is left by the last.
 fn at_rest(run: &scene::Run, growth: f64) -> f64 {
     let step = TIME / run.counters.steps as f64;
-    13.0_f64.sqrt() * TOLERANCE * SIZE * (1.0 / 0.54 + 1.0 / (step * growth.abs()))
+    13.0_f64.sqrt() * TOLERANCE * SIZE * (LEFT + 1.0 / (step * growth.abs()))
 }
+
+/// How large a deviation from rest an accepted step may leave, over its error estimate: `|R(z)|` over the estimate
+/// of DOP853, `E_5²/sqrt(E_5² + 0.01 E_3²)`, for `y' = λ y`, `z = λ h`. The largest value over all `Re z <= 0`
+/// with `|R(z)| >= 1` is that of the leading coefficients, at infinity; where `|R(z)| < 1` deviations shrink.
+/// So it holds for steps of any length.
+const LEFT: f64 = 2.010_3;
+
+/// Ends of runs that are compared.
+const ENDS: u32 = 8;
 
 /// The pair of Fig. 8(c), whose oscillation dies out within some hundred time units: what is left is a rest
 /// that must last.
-fn oscillation(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
+fn rest(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let name = model.method().name();
     let panels = Defaults::paper()?.bottom_heavy;
     let Some(panel) = panels.iter().find(|panel| panel.panel == "c") else {
-        rows.add(
-            name,
-            "panels (c) of Fig. 8 found",
-            (0.0, "there is one"),
-            f64::NAN,
-        );
+        let why = (0.0, "there is one");
+        rows.add(name, "panels (c) of Fig. 8 found", why, f64::NAN);
         return Ok(());
     };
     let pair = Pair {
@@ -150,19 +158,19 @@ fn oscillation(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         sample_interval: Some(0.1),
         ..until(TIME, TOLERANCE)
     };
-    let (mut minima, mut least, mut most) = (0, f64::INFINITY, f64::NEG_INFINITY);
+    let (mut minima, mut crooked) = (0, 0.0_f64);
     let mut last = [f64::INFINITY; 2];
-    let mut crooked = 0.0_f64;
-    model.run_observed(&plan, &options, &mut |sample| {
+    let mut swings = Vec::new();
+    let run = model.run_observed(&plan, &options, &mut |sample| {
         let c = &sample.configuration;
         let ([a, b], now) = (last, c.gap.ln());
         minima += usize::from(sample.t < 50.0 && a > b && now >= b);
         last = [b, now];
-        if sample.t >= 0.5 * TIME {
-            (least, most) = (least.min(now), most.max(now));
+        if (20.0..50.0).contains(&sample.t) {
+            swings.push([now, c.angles[0]]);
         }
-        crooked = crooked
-            .max((c.angles[0] + c.angles[1] - PI).abs() + c.line_angle.abs() + c.midpoint.x.abs());
+        let line = c.line_angle.abs() + c.midpoint.x.abs();
+        crooked = larger(crooked, (c.angles[0] + c.angles[1] - PI).abs() + line);
     })?;
     let of = |what: &str| format!("bottom-heavy pair after {minima} swings by t = 50: {what}");
     rows.add(
@@ -171,18 +179,35 @@ fn oscillation(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         (4.0 * f64::EPSILON, "the last bit of pi"),
         crooked,
     );
-    let why = "tolerance x (1 + |ln eps|) x the tremor of steps held by stability";
+    // States at the ends of steps: between them the dense output of steps this long means nothing.
+    let (mut least, mut most) = (run.end.gap.ln(), run.end.gap.ln());
+    for k in 0..ENDS {
+        let end = TIME * (1.0 - 0.5 * f64::from(k + 1) / f64::from(ENDS));
+        let run = model.run_observed(&plan, &until(end, TOLERANCE), &mut |_| {})?;
+        (least, most) = (least.min(run.end.gap.ln()), larger(most, run.end.gap.ln()));
+    }
+    let size = 1.0 - least;
+    let oval = oval(&swings, [run.end.gap.ln(), run.end.angles[0]], size);
+    let why = "twice sqrt(6) tolerance x (1 + |ln eps|) x 2.0103, the most that is left by a step that is accepted, x the ratio of its swings' axes squared";
     rows.add(
         name,
         of("tremor of ln(gap) from t = 5,000 on"),
-        (TREMOR * TOLERANCE * (1.0 - least), why),
+        (2.0 * 6.0_f64.sqrt() * TOLERANCE * size * LEFT * oval, why),
         most - least,
     );
     Ok(())
 }
 
-/// How far a pair at rest may be seen to tremble, over the tolerance of its steps. At rest the error estimate
-/// lets steps grow up to the limit of stability, `|R(z)| = 1` at `|z|` = 6 to 6.4, where a deviation is
-/// estimated at 0.54 of itself (real `z`) or more and averaged over 6 variables; the dense output between the
-/// ends of such steps has up to 48 times the deviation at the ends (`z = 6.4 i`), of either sign.
-const TREMOR: f64 = 2.449_5 / 0.54 * 48.0 * 2.0;
+/// Squared ratio of the axes of the oval on which the state swings to rest, in variables scaled as the tolerance
+/// scales them (`ln eps` by its `size`, and the angles of both squirmers): by as much an error may look larger or
+/// smaller than it is as a share of the swing, once in the estimate and once in `ln eps`.
+fn oval(swings: &[[f64; 2]], rest: [f64; 2], size: f64) -> f64 {
+    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+    for [ln_gap, angle] in swings {
+        let x = (ln_gap - rest[0]) / size;
+        let y = 2.0_f64.sqrt() * (angle - rest[1]) / (1.0 + rest[1].abs());
+        (xx, xy, yy) = (xx + x * x, xy + x * y, yy + y * y);
+    }
+    let (mean, apart) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
+    (mean + apart) / (mean - apart)
+}

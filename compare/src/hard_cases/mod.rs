@@ -4,9 +4,14 @@
 mod boundary_elements;
 mod contact;
 mod far;
+mod files;
+mod inputs;
 mod long_runs;
 mod machine;
+mod oscillation;
 mod out_of_plane;
+mod panels;
+mod processes;
 mod rows;
 mod separatrix;
 mod standoff;

@@ -3,6 +3,7 @@
 use nalgebra::{Rotation3, Vector3};
 use scene::{Orientation, Plan, Pose, Repulsion, Run, Scene, Squirmer};
 
+use super::rows::larger;
 use super::{Bench, Rows, stepping_error, until};
 use crate::{Approach, Case, CompareError, Method, Model};
 
@@ -63,7 +64,7 @@ fn apart(run: &Run, other: &Run, turned: &Rotation3<f64>) -> f64 {
     let pairs = run.end.orientations.iter().zip(&other.end.orientations);
     pairs
         .map(|(p, q)| (p - turned * q).norm())
-        .fold(0.0, f64::max)
+        .fold(0.0, larger)
 }
 
 fn nearly_planar(model: &Model, case: Case, rows: &mut Rows) -> Result<(), CompareError> {

@@ -79,3 +79,12 @@ impl Rows {
         }
     }
 }
+
+/// The larger of two values; NaN if either is, so that it is not passed over.
+pub(super) fn larger(one: f64, other: f64) -> f64 {
+    if one.is_nan() || one > other {
+        one
+    } else {
+        other
+    }
+}

@@ -2,6 +2,7 @@
 
 use scene::{Outcome, Run};
 
+use super::rows::larger;
 use super::standoff::slope;
 use super::{Bench, Rows, SIZE, until};
 use crate::maps::Pair;
@@ -13,18 +14,24 @@ const TIGHT: f64 = 1e-12;
 /// Time by which outcomes differ.
 const TIME: f64 = 200.0;
 
-/// Where lines between outcomes are crossed: squirmer parameter and `Sigma`.
-const CROSSED: [(f64, f64); 3] = [(5.0, 0.7), (-5.0, 0.7), (1.0, 0.8)];
+/// Where lines between outcomes are crossed: method, squirmer parameter and `Sigma`.
+const CROSSED: [(Method, f64, f64); 4] = [
+    (Method::Lt, 5.0, 0.7),
+    (Method::Lt, -5.0, 0.7),
+    (Method::Exact, 5.0, 0.7),
+    (Method::Exact, 1.0, 0.8),
+];
 
 pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
-    for model in bench.only(&[Method::Lt, Method::Exact]) {
-        let name = model.method().name();
-        for (beta, sigma) in CROSSED {
+    for (method, beta, sigma) in CROSSED {
+        for model in bench.only(&[method]) {
             let what = format!("beta {beta}, Sigma {sigma}");
-            rows.attempt(name, &what, |rows| crossed(model, beta, sigma, &what, rows));
+            rows.attempt(method.name(), &what, |rows| {
+                crossed(model, beta, sigma, &what, rows)
+            });
         }
     }
-    for model in bench.only(&[Method::Lt, Method::LtCorrected]) {
+    for model in bench.only(&[Method::Lt, Method::LtCorrected, Method::Exact]) {
         rows.attempt(model.method().name(), "order", |rows| order(model, rows));
     }
 }
@@ -66,6 +73,13 @@ fn crossed(
         .map(|&delta| scatters(model, beta, (delta, sigma), TIGHT))
         .collect::<Result<Vec<_>, _>>()?;
     let Some(at) = outcomes.windows(2).position(|pair| pair[0] != pair[1]) else {
+        let why = (0.0, "there are some");
+        rows.add(
+            name,
+            format!("{what}: lines between outcomes found"),
+            why,
+            f64::NAN,
+        );
         return Ok(());
     };
     // Where the outcome changes, at a tolerance.
@@ -116,7 +130,7 @@ fn order(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
                 &until(TIME, 10f64.powf(-0.5 * f64::from(half_decade))),
             )?;
             let error = (run.deflections()[0] - truth).abs();
-            points.push(((run.counters.steps as f64).ln(), error.max(1e-15).ln()));
+            points.push(((run.counters.steps as f64).ln(), larger(error, 1e-15).ln()));
         }
         let why = "steps of order 8; 7 for the dense output that locates events";
         rows.add(name, format!("{approach}, beta {beta}, dx {dx}: slope of the deflection's error against the number of steps"), (-7.0, why), slope(&points));

@@ -3,9 +3,11 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use scene::{
-    Gap, Gravity, Hydrodynamics, LoadSet, Orientation, Outcome, Pose, Repulsion, Scene, Squirmer,
+    Gap, Gravity, Hydrodynamics, LoadSet, Orientation, Outcome, Plan, Pose, Repulsion, Run, Scene,
+    Squirmer,
 };
 
+use super::rows::larger;
 use super::{Bench, Rows, until};
 use crate::{CompareError, Method, Model};
 
@@ -32,6 +34,10 @@ pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
         for g in [1e-6, 1.0, 1e2, 1e4] {
             let what = format!("G = {g:e}");
             rows.attempt(name, &what, |rows| gravity(model, g, &what, rows));
+        }
+        for beta in [-1e3, -30.0, 30.0, 1e3] {
+            let what = format!("beta = {beta:e}");
+            rows.attempt(name, &what, |rows| there_and_back(model, beta, &what, rows));
         }
         rows.attempt(name, "no swimming", |rows| no_swimming(model, rows));
     }
@@ -98,7 +104,7 @@ fn repulsion(
     for eps in [1e-6, 1e-5, 1e-4, 1e-3] {
         let scene = pair(eps, squirmer, [0.0, PI], Some(repulsion), None)?;
         let run = model.run(&scene, &until(time, TOLERANCE))?;
-        off = off.max((run.end.gap.ln() - low).abs());
+        off = larger(off, (run.end.gap.ln() - low).abs());
         steps = steps.max((run.counters.steps + run.counters.rejected) as f64);
     }
     let bound = TOLERANCE * 10.0 * (1.0 - low);
@@ -124,6 +130,62 @@ fn repulsion(
     Ok(())
 }
 
+/// Stokes flow knows no direction of time: a pair that nothing but slip moves goes back to where it was, gap
+/// and orientations, when the slip of both is reversed.
+fn there_and_back(
+    model: &Model,
+    beta: f64,
+    what: &str,
+    rows: &mut Rows,
+) -> Result<(), CompareError> {
+    const DISPLACED: f64 = 1e-6;
+    const ANGLES: [f64; 2] = [0.3, 2.0];
+    // Strain of the slip times time: enough to change the gap by a factor.
+    let time = 0.2 / beta.abs();
+    let there = Squirmer::with_beta(1.0, beta)?;
+    let modes: Vec<f64> = there.modes().iter().map(|b| -b).collect();
+    let back = Squirmer::new(&modes)?;
+    let run = |squirmer: Squirmer, [ln_gap, one, two]: [f64; 3]| -> Result<Run, CompareError> {
+        let scene = pair(ln_gap.exp(), squirmer, [one, two], None, None)?;
+        Ok(model.run(&scene, &until(time, TOLERANCE))?)
+    };
+    // The line of centres is turned back to where it was at the start.
+    let state = |run: &Run| {
+        let c = &run.end;
+        [
+            c.gap.ln(),
+            c.angles[0] - c.line_angle,
+            c.angles[1] - c.line_angle,
+        ]
+    };
+    let start = [0.05_f64.ln(), ANGLES[0], ANGLES[1]];
+    let out = run(there, start)?;
+    let home = run(back, state(&out))?;
+    let mut answer = 0.0_f64;
+    for variable in 0..3 {
+        let mut aside = state(&out);
+        aside[variable] += DISPLACED;
+        let off = largest_difference(state(&run(back, aside)?), state(&home));
+        answer = answer.hypot(off / DISPLACED);
+    }
+    let steps = (out.counters.steps + home.counters.steps) as f64;
+    let error = steps * 6.0_f64.sqrt() * TOLERANCE * (1.0 - start[0].min(out.min_gap.ln()));
+    let why = "sqrt(6) tolerance x (1 + |ln eps|) a step, times the answer to a displacement where it turns back";
+    let moved = largest_difference(state(&out), start);
+    rows.add(
+        model.method().name(),
+        format!("{what}: state after {moved:.1} there and as much back, off the start"),
+        (error * answer.max(1.0), why),
+        largest_difference(state(&home), start),
+    );
+    Ok(())
+}
+
+fn largest_difference(one: [f64; 3], other: [f64; 3]) -> f64 {
+    let pairs = one.into_iter().zip(other);
+    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, larger)
+}
+
 /// Far-apart squirmers right themselves as `tan(angle/2) exp(-k t)`, `k = G/(8 pi)`; a pair in contact
 /// under gravity that outweighs all else ends up upright.
 fn gravity(model: &Model, g: f64, what: &str, rows: &mut Rows) -> Result<(), CompareError> {
@@ -137,7 +199,7 @@ fn gravity(model: &Model, g: f64, what: &str, rows: &mut Rows) -> Result<(), Com
     for (start, end) in run.start.angles.into_iter().zip(run.end.angles) {
         let before = start - FRAC_PI_2;
         let after = 2.0 * ((before / 2.0).tan() * (-rate * time).exp()).atan();
-        off = off.max((end - FRAC_PI_2 - after).abs());
+        off = larger(off, (end - FRAC_PI_2 - after).abs());
     }
     let steps = run.counters.steps.max(1) as f64;
     // Vorticity of a stresslet, 3 |B_2|/(2 r^3), over the time.
@@ -184,7 +246,7 @@ fn no_swimming(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let turned = run
         .deflections()
         .into_iter()
-        .fold(0.0_f64, |most, d| most.max(d.abs()));
+        .fold(0.0, |most, d| larger(most, d.abs()));
     rows.add(
         name,
         "no slip: turning of passive spheres that repel each other",
@@ -219,6 +281,28 @@ fn no_swimming(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
             format!("V_s = 0, B_2 = {b2}: numbers at the end that are not finite"),
             (0.0, "nothing is divided by V_s"),
             f64::from(u8::from(!finite)),
+        );
+        // The second mode does not tell head from tail: P_2 and W_2 p_t are even in p.
+        let ends = [1.0, -1.0].map(|sign| {
+            let mut start = scene.start;
+            for pose in &mut start {
+                pose.orientation = Orientation::Vector(pose.orientation.vector()? * sign);
+            }
+            let scene = Scene::new(scene.squirmers, start, scene.repulsion, None)?;
+            let plan = Plan::new(&scene)?.in_three_dimensions();
+            model.run_observed(&plan, &until(200.0, TOLERANCE), &mut |_| {})
+        });
+        let [ahead, astern] = ends;
+        let (ahead, astern) = (ahead?.end, astern?.end);
+        let turned = (ahead.orientations.iter().zip(&astern.orientations))
+            .map(|(p, q)| (p + q).norm())
+            .fold(0.0, larger);
+        let off = turned + (ahead.midpoint - astern.midpoint).norm();
+        rows.add(
+            name,
+            format!("V_s = 0, B_2 = {b2}: motion of the pair head to tail off its own"),
+            (0.0, "even in p, every term"),
+            off + (ahead.gap.ln() - astern.gap.ln()).abs(),
         );
     }
     Ok(())

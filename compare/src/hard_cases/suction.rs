@@ -7,6 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use scene::{Gap, Hydrodynamics, LoadSet, Orientation, Outcome, Pose, Scene, Squirmer};
 
+use super::rows::larger;
 use super::{Bench, Rows, SIZE, until};
 use crate::{CompareError, Method, Model};
 
@@ -95,10 +96,8 @@ fn facing(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareError>
         (TOLERANCE * 700.0, "located to the tolerance of ln eps"),
         (run.end.gap.ln() - TOUCHING.ln()).abs(),
     );
-    let tilt = run.end.orientations[0]
-        .y
-        .abs()
-        .max(run.end.orientations[1].y.abs());
+    let [one, two] = run.end.orientations;
+    let tilt = larger(one.y.abs(), two.y.abs());
     rows.add(
         name,
         of("orientation off the line"),

@@ -15,6 +15,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::output::OutputFolder;
+use crate::streams::complain;
 use crate::sweep::SweepOptions;
 use crate::{CompareError, Model};
 use resume::Journal;
@@ -96,7 +97,7 @@ impl<'a> Sweep<'a> {
         })?;
         let skipped = lines.iter().filter(|line| line.is_none()).count();
         if skipped > 0 {
-            eprintln!(
+            complain!(
                 "skipped: the time limit was reached before {skipped} of {chunks} lines of constant \
                  Sigma; the same command goes on from {}.csv.part",
                 self.name

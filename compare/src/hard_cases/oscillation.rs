@@ -1,0 +1,351 @@
+//! Bottom-heavy pairs that swing for ever: how steady their period is up to t = 10,000.
+//!
+//! Near a limit cycle errors across it die out and those along it add up. A step may change the variables by
+//! `e_i` with `Σ (e_i/(1 + |y_i|))² <= N tolerance²`, which shifts all later passages by at most
+//! `sqrt(N) tolerance A`, `A² = Σ ((1 + |y_i|) dt/dy_i)²`. A is found by displacing states of the cycle, and is
+//! the only thing about the pair that bounds ask for.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::Vector3;
+use rayon::prelude::*;
+use scene::{
+    Configuration, Gravity, Orientation, Plan, Pose, Repulsion, Run, RunOptions, Scene, Squirmer,
+};
+
+use super::long_runs::{TIME, TOLERANCE, UNIT_DRIFT, unit_drift};
+use super::rows::larger;
+use super::{Bench, Rows, until};
+use crate::maps::Pair;
+use crate::{CompareError, Method, Model};
+
+/// Time after which a pair is on its limit cycle, and how long it is then watched to know the cycle.
+const SETTLED: f64 = 2_000.0;
+const WATCHED: f64 = 500.0;
+
+/// The tolerance that the other is held against.
+const TIGHT: f64 = 1e-12;
+
+/// Time between samples: a cubic through four of them has a passage to about the fourth power.
+const INTERVAL: f64 = 0.02;
+
+/// States of the cycle that are displaced, by how much, and for how long they are followed: for so many periods
+/// and so long a time. (If an answer goes on growing after that, the bounds are only tighter.)
+const STATES: usize = 8;
+const DISPLACED: f64 = 1e-5;
+const PERIODS: f64 = 4.0;
+const FOLLOWED: f64 = 200.0;
+
+/// Fewer passages tell no period.
+const LEAST_PASSAGES: usize = 10;
+
+/// Variables of motion in a plane.
+const VARIABLES: f64 = 6.0;
+
+/// A pair that swings.
+struct Swing {
+    what: &'static str,
+    methods: &'static [Method],
+    pair: Pair,
+    start: (f64, f64),
+    /// What rises through the middle of its range once a period.
+    phase: fn(&Configuration) -> f64,
+    /// Whether the two are mirror images.
+    mirrored: bool,
+}
+
+const SWINGS: [Swing; 3] = [
+    Swing {
+        what: "mirror images that part and meet (beta -1, G 3)",
+        methods: &[Method::Exact, Method::Bem],
+        pair: bottom_heavy(-1.0, 3.0),
+        start: (0.5, 1.0),
+        phase: |c| c.gap.ln(),
+        mirrored: true,
+    },
+    Swing {
+        what: "a pair that swings to and fro (beta 5, G 3)",
+        methods: &[Method::Exact],
+        pair: bottom_heavy(5.0, 3.0),
+        start: (0.5, 0.5),
+        phase: |c| c.line_angle,
+        mirrored: false,
+    },
+    Swing {
+        what: "an orbit whose gap swings (beta -5, G 1)",
+        methods: &[Method::Lt, Method::LtCorrected],
+        pair: bottom_heavy(-5.0, 1.0),
+        start: (1.2, 1.3),
+        phase: |c| c.line_angle.sin(),
+        mirrored: false,
+    },
+];
+
+const fn bottom_heavy(beta: f64, g: f64) -> Pair {
+    Pair { beta, g, dz: 0.0 }
+}
+
+pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
+    for swing in &SWINGS {
+        for model in bench.only(swing.methods) {
+            rows.attempt(model.method().name(), swing.what, |rows| {
+                swing.rows(model, rows)
+            });
+        }
+    }
+}
+
+/// Times at which the phase rises through a level, and what else a run tells.
+struct Passages {
+    times: Vec<f64>,
+    /// Largest departure from mirror symmetry.
+    crooked: f64,
+    run: Run,
+}
+
+/// A limit cycle: the level that the phase passes, the period, and states in their order from a passage on.
+struct Cycle {
+    level: f64,
+    period: f64,
+    states: Vec<Configuration>,
+}
+
+impl Swing {
+    fn rows(&self, model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
+        let name = model.method().name();
+        let Some(cycle) = self.cycle(model)? else {
+            let why = (0.0, "it swings for ever");
+            rows.add(name, format!("{}: periods", self.what), why, f64::NAN);
+            return Ok(());
+        };
+        let scene = self.scene(&cycle.states[0], [0.0; 4])?;
+        let found = self.passages(model, &scene, &cycle, TIME, TOLERANCE)?;
+        let truth = self.passages(model, &scene, &cycle, TIME, TIGHT)?;
+        let count = found.times.len().min(truth.times.len());
+        if count < LEAST_PASSAGES {
+            return Err(CompareError::input(
+                "passages",
+                count,
+                "too few to tell a period",
+            ));
+        }
+        let answer = self.answer(model, &cycle, found.run.end.line_angle)?;
+        let period = (truth.times[count - 1] - truth.times[0]) / (count - 1) as f64;
+        let of = |what: &str| format!("{}, period {period:.4}: {what}", self.what);
+        let shift = |run: &Run, tolerance: f64| {
+            (run.counters.steps + 1) as f64 * VARIABLES.sqrt() * tolerance * answer
+        };
+        let why = "sqrt(6) tolerance a step of both runs, times the largest answer of the phase";
+        rows.add(
+            name,
+            of(&format!(
+                "time of passage {count} by t = 10,000, tolerance 1e-10 off 1e-12"
+            )),
+            (shift(&found.run, TOLERANCE) + shift(&truth.run, TIGHT), why),
+            (found.times[count - 1] - truth.times[count - 1]).abs(),
+        );
+        let half = (count - 1) / 2;
+        let mean = |from: usize| (found.times[from + half] - found.times[from]) / half as f64;
+        let why = "sqrt(6) tolerance a step, times the largest answer of the phase, over the periods of a half";
+        rows.add(
+            name,
+            of("its drift, second half of t = 10,000 against first"),
+            (shift(&found.run, TOLERANCE) / half as f64, why),
+            (mean(half) - mean(0)).abs(),
+        );
+        let spatial = self.in_space(model, &scene)?;
+        rows.add(
+            name,
+            of("| |p| - 1 | in three dimensions"),
+            (unit_drift(&spatial), UNIT_DRIFT),
+            spatial.unit_drift,
+        );
+        if self.mirrored {
+            let why = (0.0, "the balance uses sums and differences only");
+            rows.add(
+                name,
+                of("departure from mirror symmetry up to t = 10,000"),
+                (4.0 * f64::EPSILON, "the last bit of pi"),
+                found.crooked,
+            );
+            let [p, q] = spatial.end.orientations;
+            let off = (p.x + q.x).abs() + (p.y - q.y).abs() + p.z.abs() + q.z.abs();
+            rows.add(
+                name,
+                of("the same in three dimensions"),
+                why,
+                off + spatial.end.midpoint.x.abs() + spatial.end.line.y.abs(),
+            );
+        }
+        Ok(())
+    }
+
+    /// The limit cycle that the pair has come to; none if it has not.
+    fn cycle(&self, model: &Model) -> Result<Option<Cycle>, CompareError> {
+        let scene = self.pair.scene(self.start.0, self.start.1)?;
+        let options = RunOptions {
+            sample_interval: Some(INTERVAL),
+            ..until(SETTLED + WATCHED, TIGHT)
+        };
+        let mut seen = Vec::new();
+        let plan = Plan::new(&scene)?.without_symmetry();
+        model.run_observed(&plan, &options, &mut |sample| {
+            if sample.t >= SETTLED {
+                seen.push(sample.configuration);
+            }
+        })?;
+        let phases = seen.iter().map(|c| (self.phase)(c));
+        let least = phases.clone().fold(f64::INFINITY, f64::min);
+        let level = f64::midpoint(least, phases.fold(f64::NEG_INFINITY, f64::max));
+        let rises = |pair: &[Configuration]| {
+            (self.phase)(&pair[0]) < level && (self.phase)(&pair[1]) >= level
+        };
+        let passed: Vec<_> = (seen.windows(2).enumerate())
+            .filter(|(_, pair)| rises(pair))
+            .map(|(k, _)| k)
+            .collect();
+        let [.., from, to] = passed[..] else {
+            return Ok(None);
+        };
+        Ok(Some(Cycle {
+            level,
+            period: (to - from) as f64 * INTERVAL,
+            states: seen[from..to].to_vec(),
+        }))
+    }
+
+    /// The scene that starts at a configuration, with `ln eps`, the angle of the line and the two angles off it
+    /// displaced.
+    fn scene(
+        &self,
+        c: &Configuration,
+        [ln_gap, line, one, two]: [f64; 4],
+    ) -> Result<Scene, CompareError> {
+        let half = 1.0 + 0.5 * (c.gap.ln() + ln_gap).exp();
+        let at = c.line.y.atan2(c.line.x) + line;
+        let relative = |angle: f64| {
+            let off = angle - c.line_angle;
+            off - TAU * (off / TAU).round()
+        };
+        let second = at + PI + relative(c.angles[1] - PI) + two;
+        let first = if self.mirrored {
+            // The image of the second, to the last bit.
+            -(second - PI)
+        } else {
+            at + relative(c.angles[0]) + one
+        };
+        let along = Vector3::new(at.cos(), at.sin(), 0.0) * half;
+        let pose = |position: Vector3<f64>, angle: f64| Pose {
+            position,
+            orientation: Orientation::Angle(angle),
+        };
+        let squirmer = Squirmer::with_beta(1.0, self.pair.beta)?.bottom_heavy(self.pair.g)?;
+        Ok(Scene::new(
+            [squirmer; 2],
+            [pose(-along, first), pose(along, second)],
+            Some(Repulsion::PAPER),
+            Some(Gravity::DOWN),
+        )?)
+    }
+
+    fn passages(
+        &self,
+        model: &Model,
+        scene: &Scene,
+        cycle: &Cycle,
+        time: f64,
+        tolerance: f64,
+    ) -> Result<Passages, CompareError> {
+        let plan = Plan::new(scene)?.without_symmetry();
+        let options = RunOptions {
+            sample_interval: Some(INTERVAL),
+            ..until(time, tolerance)
+        };
+        let (mut times, mut crooked) = (Vec::new(), 0.0_f64);
+        let mut last = [(0.0, f64::NAN); 4];
+        let run = model.run_observed(&plan, &options, &mut |sample| {
+            let c = &sample.configuration;
+            last.rotate_left(1);
+            last[3] = (sample.t, (self.phase)(c) - cycle.level);
+            if last[1].1 < 0.0 && last[2].1 >= 0.0 && last[0].1.is_finite() {
+                times.push(last[1].0 + INTERVAL * zero(last.map(|(_, value)| value)));
+            }
+            let line = c.line_angle.abs() + c.midpoint.x.abs();
+            crooked = larger(crooked, (c.angles[0] + c.angles[1] - PI).abs() + line);
+        })?;
+        Ok(Passages {
+            times,
+            crooked,
+            run,
+        })
+    }
+
+    /// `A`: how much later or earlier all passages come for a change of the state, over its size as the
+    /// tolerance measures it; the largest over the cycle.
+    fn answer(&self, model: &Model, cycle: &Cycle, line_angle: f64) -> Result<f64, CompareError> {
+        let time = (PERIODS * cycle.period).max(FOLLOWED);
+        // Of mirror images the line does not turn, and what the second does the first does too.
+        let variables: &[usize] = if self.mirrored {
+            &[0, 3]
+        } else {
+            &[0, 1, 2, 3]
+        };
+        let of = |k: usize| -> Result<f64, CompareError> {
+            let at = &cycle.states[(2 * k + 1) * cycle.states.len() / (2 * STATES)];
+            let passages = |moved: [f64; 4]| -> Result<Vec<f64>, CompareError> {
+                let scene = self.scene(at, moved)?;
+                Ok(self.passages(model, &scene, cycle, time, TIGHT)?.times)
+            };
+            let truth = passages([0.0; 4])?;
+            let mut sum = 0.0;
+            for &variable in variables {
+                let mut moved = [0.0; 4];
+                moved[variable] = DISPLACED;
+                let shift = (passages(moved)?.iter().zip(&truth))
+                    .map(|(a, b)| (a - b).abs() / DISPLACED)
+                    .fold(0.0, larger);
+                let size = [at.gap.ln(), line_angle, PI, PI][variable];
+                sum += ((1.0 + size.abs()) * shift).powi(2);
+            }
+            Ok(sum.sqrt())
+        };
+        let all = (0..STATES).into_par_iter().map(of);
+        all.try_reduce(|| 0.0, |a, b| Ok(larger(a, b)))
+    }
+
+    /// The run to the end in three dimensions, from vectors that are mirror images if the pair is.
+    fn in_space(&self, model: &Model, scene: &Scene) -> Result<Run, CompareError> {
+        let mut start = scene.start;
+        let [one, two] = [0, 1].map(|k| start[k].orientation.vector());
+        let two = two?;
+        let one = if self.mirrored {
+            Vector3::new(-two.x, two.y, two.z)
+        } else {
+            one?
+        };
+        for (pose, p) in start.iter_mut().zip([one, two]) {
+            pose.orientation = Orientation::Vector(p);
+        }
+        let scene = Scene::new(scene.squirmers, start, scene.repulsion, scene.gravity)?;
+        let plan = Plan::new(&scene)?.in_three_dimensions();
+        Ok(model.run_observed(&plan, &until(TIME, TOLERANCE), &mut |_| {})?)
+    }
+}
+
+/// Where in (0, 1) the cubic with these values at -1, 0, 1 and 2 is zero, as it rises through zero there.
+fn zero([a, b, c, d]: [f64; 4]) -> f64 {
+    let value = |s: f64| {
+        let (l, m, r) = (s + 1.0, s - 1.0, s - 2.0);
+        -a * s * m * r / 6.0 + b * l * m * r / 2.0 - c * l * s * r / 2.0 + d * l * s * m / 6.0
+    };
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..60 {
+        let middle = f64::midpoint(low, high);
+        if value(middle) < 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    f64::midpoint(low, high)
+}
