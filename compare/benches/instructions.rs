@@ -15,7 +15,9 @@ use compare::effects::{EFFECT_CASES, EffectCase};
 use compare::{Method, Model, ModelOptions};
 use lt::{Form, Lubrication};
 use scene::balance::Transverse;
-use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, Plan, Repulsion, Squirmer, State, legendre};
+use scene::{
+    Gap, Hydrodynamics, LoadSet, PairLoads, Plan, Repulsion, SceneError, Squirmer, State, legendre,
+};
 
 /// Right-hand sides in the shorter and the longer of two runs, whose difference is free of set-up.
 const TIMES: [usize; 2] = [1_000, 3_000];
@@ -34,9 +36,15 @@ fn planned(case: &EffectCase, times: usize) {
 /// and in three dimensions.
 fn by_hand(case: &EffectCase, times: usize) {
     let plan = Plan::new(&case.scene().unwrap()).unwrap();
-    let squirmers = plan.scene().squirmers;
     // Known when it runs only, as to the plan.
-    let set = black_box(plan.load_set());
+    let mut given = black_box(arithmetic::Given {
+        model: Lubrication::new(Form::Published),
+        squirmers: plan.scene().squirmers,
+        set: plan.load_set(),
+        repulsion: Repulsion::PAPER,
+        loads: 0,
+        failure: None,
+    });
     let start = plan.start();
     let [d1, d2] = [
         start.angles[0] - start.line_angle,
@@ -54,16 +62,16 @@ fn by_hand(case: &EffectCase, times: usize) {
     spatial[6] = start.gap.ln();
     match (case.state, case.repulsion) {
         (State::Planar, false) => repeat(times, &planar, |y| {
-            arithmetic::planar::<false>(y, &squirmers, set)
+            arithmetic::planar::<false>(y, &mut given)
         }),
         (State::Planar, true) => repeat(times, &planar, |y| {
-            arithmetic::planar::<true>(y, &squirmers, set)
+            arithmetic::planar::<true>(y, &mut given)
         }),
         (_, false) => repeat(times, &spatial, |y| {
-            arithmetic::spatial::<false>(y, &squirmers, set)
+            arithmetic::spatial::<false>(y, &mut given)
         }),
         (_, true) => repeat(times, &spatial, |y| {
-            arithmetic::spatial::<true>(y, &squirmers, set)
+            arithmetic::spatial::<true>(y, &mut given)
         }),
     }
 }
@@ -77,10 +85,13 @@ fn has_yardstick(case: &EffectCase) -> bool {
         && case.method == Method::Lt
 }
 
-fn repeat<const N: usize>(times: usize, y: &[f64; N], rhs: impl Fn(&[f64; N]) -> [f64; N]) {
-    for _ in 0..times {
-        black_box(rhs(black_box(y)));
+/// The loop of [`scene::rates`].
+fn repeat<const N: usize>(times: usize, y: &[f64; N], mut rhs: impl FnMut(&[f64; N]) -> [f64; N]) {
+    let mut dy = rhs(y);
+    for _ in 1..times {
+        dy = black_box(rhs(black_box(y)));
     }
+    black_box(dy);
 }
 
 /// The equations of `scene::balance` and of the planar and the spatial coordinates, written once more
@@ -88,6 +99,16 @@ fn repeat<const N: usize>(times: usize, y: &[f64; N], rhs: impl Fn(&[f64; N]) ->
 mod arithmetic {
     use super::*;
     use nalgebra::Vector3;
+
+    /// What a scene gives, and what every run keeps: how many loads were asked for, and what the model refused.
+    pub struct Given {
+        pub model: Lubrication,
+        pub squirmers: [Squirmer; 2],
+        pub set: LoadSet,
+        pub repulsion: Repulsion,
+        pub loads: u64,
+        pub failure: Option<SceneError>,
+    }
 
     struct Velocity<T> {
         opening: f64,
@@ -97,20 +118,21 @@ mod arithmetic {
         spin: [T; 2],
     }
 
-    fn velocity<T: Transverse, const REPULSION: bool>(
+    #[inline(always)]
+    fn velocity<T: Transverse>(
         gap: Gap,
         loads: &PairLoads,
         squirmers: &[Squirmer; 2],
+        repulsion: Option<f64>,
         cosines: [f64; 2],
         transverse: [T; 2],
     ) -> Velocity<T> {
         let (mut sum, mut difference) = (0.0, 0.0);
         let (mut one, mut two) = ([0.0; 4], [0.0; 4]);
-        let [b1, b2] = [squirmers[0].modes(), squirmers[1].modes()];
         let orders = legendre(cosines[0]).zip(legendre(cosines[1]));
-        for (n, (mode, (p1, p2))) in loads.modes().iter().zip(orders).enumerate() {
-            let b1 = b1.get(n).copied().unwrap_or(0.0);
-            let b2 = b2.get(n).copied().unwrap_or(0.0);
+        for (n, (p1, p2)) in (0..loads.set().modes).zip(orders) {
+            let mode = loads.mode(n);
+            let [b1, b2] = [squirmers[0].mode(n), squirmers[1].mode(n)];
             let (q1, q2) = (b1 * p1.p, b2 * p2.p);
             sum += (q1 - q2) * mode.xf.sum;
             difference += (q1 + q2) * mode.xf.difference;
@@ -121,8 +143,8 @@ mod arithmetic {
                 of[3] += strength * mode.yt.difference;
             }
         }
-        if REPULSION {
-            difference -= 2.0 * Repulsion::PAPER.force(gap);
+        if let Some(repulsion) = repulsion {
+            difference -= 2.0 * repulsion;
         }
         let [v1, v2] = transverse;
         let solve = |a: f64, b: f64, c: f64, force: T, torque: T| {
@@ -147,7 +169,7 @@ mod arithmetic {
             v1 * one[2] - v2 * two[2],
         );
         Velocity {
-            opening: -difference / (6.0 * (loads.xa.difference * gap.eps())),
+            opening: difference * (-1.0 / (6.0 * (loads.xa.difference * gap.eps()))),
             axial: sum / (12.0 * loads.xa.sum),
             across: total * 0.5,
             turning: apart * (-1.0 / gap.distance()),
@@ -158,21 +180,48 @@ mod arithmetic {
         }
     }
 
-    /// As the stepper calls it: a function of its own.
-    #[inline(never)]
-    pub fn planar<const REPULSION: bool>(
-        y: &[f64; 6],
-        squirmers: &[Squirmer; 2],
-        set: LoadSet,
-    ) -> [f64; 6] {
-        let gap = Gap::from_ln(y[3]);
-        let model = Lubrication::new(Form::Published);
-        let loads = model.interacting_loads(gap, set);
-        let Ok(loads) = &loads else {
-            return [f64::NAN; 6];
+    /// As the stepper calls them: functions of their own, to which two modes are known.
+    macro_rules! with_two_modes_known {
+        ($name:ident, $of:ident, $n:literal) => {
+            #[inline(never)]
+            pub fn $name<const REPULSION: bool>(y: &[f64; $n], given: &mut Given) -> [f64; $n] {
+                let set = given.set;
+                match set.modes {
+                    2 => $of::<REPULSION>(y, given, LoadSet { modes: 2, ..set }),
+                    _ => $of::<REPULSION>(y, given, set),
+                }
+            }
         };
+    }
+    with_two_modes_known!(planar, planar_of, 6);
+    with_two_modes_known!(spatial, spatial_of, 13);
+
+    #[cold]
+    #[inline(never)]
+    fn refused<const N: usize>(error: SceneError, failure: &mut Option<SceneError>) -> [f64; N] {
+        *failure = Some(error);
+        [f64::NAN; N]
+    }
+
+    #[inline(always)]
+    fn planar_of<const REPULSION: bool>(y: &[f64; 6], given: &mut Given, set: LoadSet) -> [f64; 6] {
         let [(s1, c1), (s2, c2)] = [y[4].sin_cos(), y[5].sin_cos()];
-        let v = velocity::<f64, REPULSION>(gap, loads, squirmers, [c1, c2], [s1, -s2]);
+        let gap = Gap::from_ln(y[3]);
+        given.loads += 1;
+        let repulsion = REPULSION.then(|| given.repulsion.force(gap));
+        let loads = given.model.interacting_loads(gap, set);
+        let loads = match loads {
+            Ok(loads) => loads,
+            Err(error) => return refused(error, &mut given.failure),
+        };
+        let v = velocity(
+            gap,
+            &loads,
+            &given.squirmers,
+            repulsion,
+            [c1, c2],
+            [s1, -s2],
+        );
         let (sin, cos) = y[2].sin_cos();
         [
             v.axial * cos - v.across * sin,
@@ -184,29 +233,37 @@ mod arithmetic {
         ]
     }
 
-    #[inline(never)]
-    pub fn spatial<const REPULSION: bool>(
+    #[inline(always)]
+    fn spatial_of<const REPULSION: bool>(
         y: &[f64; 13],
-        squirmers: &[Squirmer; 2],
+        given: &mut Given,
         set: LoadSet,
     ) -> [f64; 13] {
         let vector = |at: usize| Vector3::new(y[at], y[at + 1], y[at + 2]);
-        let gap = Gap::from_ln(y[6]);
-        let model = Lubrication::new(Form::Published);
-        let loads = model.interacting_loads(gap, set);
-        let Ok(loads) = &loads else {
-            return [f64::NAN; 13];
-        };
         let line = vector(3);
-        let d = line.normalize();
+        let length = line.norm();
+        let d = line / length;
         let [(c1, v1), (c2, v2)] = [7, 10].map(|at| {
             let p = vector(at).normalize();
             let along = p.dot(&d);
             (along, p - d * along)
         });
-        let v = velocity::<Vector3<f64>, REPULSION>(gap, loads, squirmers, [c1, -c2], [v1, v2]);
-        let length = line.norm();
-        let d = line / length;
+        let gap = Gap::from_ln(y[6]);
+        given.loads += 1;
+        let repulsion = REPULSION.then(|| given.repulsion.force(gap));
+        let loads = given.model.interacting_loads(gap, set);
+        let loads = match loads {
+            Ok(loads) => loads,
+            Err(error) => return refused(error, &mut given.failure),
+        };
+        let v = velocity(
+            gap,
+            &loads,
+            &given.squirmers,
+            repulsion,
+            [c1, -c2],
+            [v1, v2],
+        );
         let mut dy = [0.0; 13];
         let mut store = |at: usize, w: Vector3<f64>| dy[at..at + 3].copy_from_slice(w.as_slice());
         store(0, d * v.axial + v.across);

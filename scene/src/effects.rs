@@ -102,6 +102,13 @@ impl Gravity {
     pub fn direction(&self) -> Vector3<f64> {
         self.direction
     }
+
+    /// The same as it is seen in another frame.
+    pub(crate) fn seen(self, from: impl Fn(Vector3<f64>) -> Vector3<f64>) -> Self {
+        Self {
+            direction: from(self.direction),
+        }
+    }
 }
 
 /// `vector` at unit length, left as it is to the last bit if it has that length already.

@@ -199,7 +199,7 @@ impl PairLoads {
     /// Loads by the mode `n + 1`, zero beyond those there are; without a slice, so that a constant `n`
     /// is found at compile time.
     #[inline(always)]
-    pub(crate) fn mode(&self, n: usize) -> ModeLoads {
+    pub fn mode(&self, n: usize) -> ModeLoads {
         self.modes.get(n).copied().unwrap_or(NO_LOADS)
     }
 

@@ -8,7 +8,7 @@ mod symmetry;
 
 pub use describe::{NeededLoads, Parities, PlanRow, SymmetryClass};
 
-use crate::motion::{Configuration, start};
+use crate::motion::{Configuration, Plane, start};
 use crate::{Exchange, Gravity, Hydrodynamics, LoadSet, Repulsion, Scene, SceneError, Squirmer};
 
 /// The variables in which the motion is integrated.
@@ -23,7 +23,7 @@ pub enum State {
     /// The pair is its own image in a mirror between the squirmers, which stays where it is:
     /// position along the mirror, `ln eps`, one orientation.
     MirrorSymmetric,
-    /// Midpoint x, y, angle of the line of centres, `ln eps`, two orientations.
+    /// Midpoint in the plane, angle of the line of centres, `ln eps`, two orientations.
     Planar,
     /// Midpoint, line of centres, `ln eps`, two orientations as vectors.
     Spatial,
@@ -87,6 +87,8 @@ pub struct Plan {
     pub(crate) scene: Scene,
     pub(crate) start: Configuration,
     state: State,
+    /// The plane that the motion is run in, where that is not one of constant z.
+    plane: Option<Plane>,
     repulsion: Option<Repulsion>,
     gravity: Option<Gravity>,
     /// Highest swirl mode, 0 without swirl.
@@ -120,12 +122,13 @@ impl Plan {
         let gravity = acting_gravity(scene);
         let start = start(scene)?;
         let swirl = acting_swirl(scene);
-        let state = symmetry::smallest_state(scene, &start, gravity, swirl > 0);
+        let (state, plane) = symmetry::smallest_state(scene, &start, gravity, swirl > 0);
         let [one, two] = &scene.squirmers;
         // Of orientations along the line of centres.
         let facing = start.orientations[0].dot(&start.orientations[1]) < 0.0;
         Ok(Self {
             state,
+            plane,
             opposed: one == two && facing,
             // What turns a squirmer about the line of centres along which it points changes nothing.
             swirl: if state == State::Axisymmetric {
@@ -144,8 +147,11 @@ impl Plan {
     #[must_use]
     pub fn without_symmetry(self) -> Self {
         let swirl = acting_swirl(&self.scene);
+        let (state, plane) =
+            symmetry::full_state(&self.scene, &self.start, self.gravity, swirl > 0);
         Self {
-            state: symmetry::full_state(&self.scene, self.gravity, swirl > 0),
+            state,
+            plane,
             swirl,
             ..self
         }
@@ -156,6 +162,7 @@ impl Plan {
     pub fn in_three_dimensions(self) -> Self {
         Self {
             state: State::Spatial,
+            plane: None,
             ..self
         }
     }
@@ -192,10 +199,12 @@ impl Plan {
     /// the use of symmetries.
     #[must_use]
     pub fn with_idle_gravity(self) -> Self {
-        let swirl = acting_swirl(&self.scene);
+        let (swirl, gravity) = (acting_swirl(&self.scene), self.scene.gravity);
+        let (state, plane) = symmetry::full_state(&self.scene, &self.start, gravity, swirl > 0);
         Self {
-            state: symmetry::full_state(&self.scene, self.scene.gravity, swirl > 0),
-            gravity: self.scene.gravity,
+            state,
+            plane,
+            gravity,
             swirl,
             ..self
         }
@@ -217,6 +226,32 @@ impl Plan {
     #[must_use]
     pub fn state(&self) -> State {
         self.state
+    }
+
+    /// Whether the motion stays in a plane of constant z.
+    #[must_use]
+    pub fn is_level(&self) -> bool {
+        match self.state {
+            State::Axisymmetric => self.start.line.z == 0.0,
+            State::Spatial => false,
+            _ => self.plane.is_none(),
+        }
+    }
+
+    /// The plane that the motion is run in, where that is not one of constant z.
+    pub(crate) fn plane(&self) -> Option<&Plane> {
+        self.plane.as_ref()
+    }
+
+    /// The start as the equation of motion has it.
+    pub(crate) fn start_in_frame(&self) -> Configuration {
+        (self.plane()).map_or(self.start, |plane| plane.within(&self.start))
+    }
+
+    /// Gravity as the equation of motion has it.
+    pub(crate) fn gravity_in_frame(&self) -> Option<Gravity> {
+        let seen = |gravity| (self.plane()).map_or(gravity, |plane| plane.gravity_within(gravity));
+        self.gravity.map(seen)
     }
 
     /// Repulsion, if it runs.

@@ -89,7 +89,7 @@ impl Squirmer {
 
     /// `B_{n+1}`, zero beyond the highest.
     #[inline(always)]
-    pub(crate) fn mode(&self, n: usize) -> f64 {
+    pub fn mode(&self, n: usize) -> f64 {
         self.modes.get(n).copied().unwrap_or(0.0)
     }
 

@@ -9,8 +9,8 @@ use approx::assert_relative_eq;
 use lt::{Form, Lubrication};
 use nalgebra::{Rotation3, Vector3};
 use scene::{
-    Gap, Gravity, Hydrodynamics, LoadSet, Orientation, Pose, Repulsion, Run, RunOptions, Scene,
-    Squirmer, run,
+    Gap, Gravity, Hydrodynamics, LoadSet, Orientation, Plan, Pose, Repulsion, Run, RunOptions,
+    Scene, Squirmer, run, run_plan,
 };
 
 const FORMS: [Form; 2] = [Form::Published, Form::Corrected];
@@ -44,6 +44,12 @@ fn crooked_scene() -> Scene {
 
 fn lubricated(scene: &Scene, options: &RunOptions) -> Run {
     run(scene, &Lubrication::new(Form::Published), options).unwrap()
+}
+
+/// The same in three dimensions, whether the scene calls for them or not.
+fn lubricated_in_space(scene: &Scene, options: &RunOptions) -> Run {
+    let plan = Plan::new(scene).unwrap().in_three_dimensions();
+    run_plan(&plan, &Lubrication::new(Form::Published), options).unwrap()
 }
 
 /// The scene with positions and orientations mapped by `map`.
@@ -154,7 +160,7 @@ fn planar_and_spatial_motion_agree() {
         position: [position[k][0], position[k][1], 0.0].into(),
         orientation: Orientation::Angle(angles[k]),
     });
-    // The same scene with its plane stood upright: it runs in three dimensions.
+    // The same scene with its plane stood upright.
     let upright = [0, 1].map(|k| {
         vector_pose(
             [position[k][0], 0.0, position[k][1]],
@@ -163,7 +169,7 @@ fn planar_and_spatial_motion_agree() {
     });
     let scene = |start| Scene::new(squirmers, start, Some(Repulsion::PAPER), None).unwrap();
     let flat = lubricated(&scene(planar), &tight());
-    let stood = lubricated(&scene(upright), &tight());
+    let stood = lubricated_in_space(&scene(upright), &tight());
     for k in 0..2 {
         let [a, b] = [flat.end.orientations[k], stood.end.orientations[k]];
         assert_relative_eq!(Vector3::new(a.x, 0.0, a.y), b, epsilon = 1e-9);
@@ -190,13 +196,13 @@ fn planar_and_spatial_motion_agree_under_gravity() {
         let (x, v) = (p.position, p.orientation.vector().unwrap());
         pose(x.x, x.z, x.y, [v.x, v.z, v.y])
     });
-    let run_with = |start, gravity| {
+    let scene = |start, gravity| {
         let squirmers = [squirmer(2.0), squirmer(4.0)];
-        let scene = Scene::new(squirmers, start, Some(Repulsion::PAPER), Some(gravity)).unwrap();
-        lubricated(&scene, &options)
+        Scene::new(squirmers, start, Some(Repulsion::PAPER), Some(gravity)).unwrap()
     };
-    let flat = run_with(planar, Gravity::DOWN);
-    let stood = run_with(upright, Gravity::new(Vector3::new(0.0, 0.0, -1.0)).unwrap());
+    let flat = lubricated(&scene(planar, Gravity::DOWN), &options);
+    let down = Gravity::new(Vector3::new(0.0, 0.0, -1.0)).unwrap();
+    let stood = lubricated_in_space(&scene(upright, down), &options);
     for k in 0..2 {
         let [a, b] = [flat.end.positions()[k], stood.end.positions()[k]];
         assert_relative_eq!(Vector3::new(a.x, a.z, a.y), b, epsilon = 1e-8);
@@ -219,7 +225,7 @@ fn a_facing_pair_keeps_its_axis_to_the_last_bit() {
 
 #[test]
 fn a_settled_pair_ends_where_integration_to_the_end_takes_it() {
-    // Stood upright, the same scene is integrated all the way in three dimensions. Pullers creep up
+    // Stood upright and in three dimensions, the same scene is integrated all the way. Pullers creep up
     // to the cut for ever, which is where a fixed point is known least well.
     let options = RunOptions {
         tolerance: 1e-10,
@@ -234,11 +240,9 @@ fn a_settled_pair_ends_where_integration_to_the_end_takes_it() {
         });
         let upright = [(-1.5, angles[0]), (1.5, angles[1])]
             .map(|(x, angle)| vector_pose([x, 0.0, 0.0], [angle.cos(), 0.0, angle.sin()]));
-        let run_from = |start| {
-            let scene = Scene::new(squirmers, start, Some(Repulsion::PAPER), None).unwrap();
-            lubricated(&scene, &options)
-        };
-        let (settled, integrated) = (run_from(flat), run_from(upright));
+        let scene = |start| Scene::new(squirmers, start, Some(Repulsion::PAPER), None).unwrap();
+        let settled = lubricated(&scene(flat), &options);
+        let integrated = lubricated_in_space(&scene(upright), &options);
         let upright_of = |v: Vector3<f64>| Vector3::new(v.x, 0.0, v.y);
         assert!(
             settled.settled.is_some_and(|t| t < 190.0),

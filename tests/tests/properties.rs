@@ -6,7 +6,7 @@
 use std::f64::consts::{PI, TAU};
 
 use lt::{Form, Lubrication};
-use nalgebra::{Rotation3, Unit, Vector3};
+use nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use scene::{
@@ -216,6 +216,28 @@ proptest! {
     }
 
     #[test]
+    fn slip_of_tiny_strength_tends_to_none(scene in any_scene()) {
+        let plain = scene.squirmers.map(|s| s.with_swirl(&[]).unwrap());
+        let none = Scene::new(plain, scene.start, scene.repulsion, scene.gravity).unwrap();
+        let none = ran(&none);
+        prop_assume!(!on_the_edge(&none) && none.min_gap > 1e-3);
+        let with = |strength: f64| {
+            // Swirl, which makes a planar scene spatial, and two more squirming modes.
+            let squirmers = scene.squirmers.map(|s| {
+                let mut modes = s.modes().to_vec();
+                modes.extend([strength, -strength]);
+                let slip = Squirmer::new(&modes).unwrap();
+                let heavy = slip.bottom_heavy(s.bottom_heaviness()).unwrap();
+                heavy.with_swirl(&[strength, -strength, strength]).unwrap()
+            });
+            let with = Scene::new(squirmers, scene.start, scene.repulsion, scene.gravity).unwrap();
+            apart(&none, &ran(&with), |v| v)
+        };
+        prop_assert!(with(1e-9) < CLOSE + 1e-5);
+        prop_assert!(with(1e-13) < CLOSE);
+    }
+
+    #[test]
     fn no_effect_of_a_plan_can_be_left_out(scene in any_scene(), seeds in prop::array::uniform6(0.0..1.0)) {
         let plan = Plan::new(&scene).unwrap();
         // Near contact, where repulsion is felt.
@@ -238,12 +260,15 @@ proptest! {
             }
         }
         if plan.state() == State::Spatial {
-            // In a plane of constant z something would be lost.
-            let flat = at.line.z == 0.0
-                && at.orientations.iter().all(|p| p.z == 0.0)
-                && plan.swirl() == 0
-                && plan.gravity().is_none_or(|g| g.direction().z == 0.0);
-            prop_assert!(!flat);
+            // In no plane would nothing be lost.
+            let start = plan.start();
+            let gravity = plan.gravity().map(|g| g.direction());
+            let vectors = [start.line, start.orientations[0], start.orientations[1]];
+            let spread: Matrix3<f64> = (vectors.into_iter().chain(gravity))
+                .map(|v| v * v.transpose())
+                .sum();
+            let out_of_plane = spread.symmetric_eigenvalues().min();
+            prop_assert!(plan.swirl() > 0 || out_of_plane > 1e-14, "{out_of_plane:e}");
         }
     }
 

@@ -13,8 +13,9 @@ use compare::{Approach, Case, Defaults, Method, Model, ModelOptions, SceneFile};
 use lt::{Form, Lubrication};
 use nalgebra::Vector3;
 use scene::{
-    Gap, Gravity, Isolated, LoadSet, Orientation, Outcome, Plan, Pose, Repulsion, Run, RunOptions,
-    Scene, Squirmer, State, rates, run, run_plan,
+    Gap, GapRange, Gravity, Hydrodynamics, Isolated, LoadSet, Orientation, Outcome, PairLoads,
+    Plan, Pose, Repulsion, Run, RunOptions, Scene, SceneError, Squirmer, State, SwirlLoads, rates,
+    run, run_plan,
 };
 
 fn folder() -> PathBuf {
@@ -139,6 +140,29 @@ fn starts_of_the_maps_from_files_have_the_numbers_of_the_map() {
 }
 
 #[test]
+fn bottom_heavy_pairs_from_files_are_those_of_their_command() {
+    let panels = Defaults::paper().unwrap().bottom_heavy;
+    let names: Vec<_> = (std::fs::read_dir(folder()).unwrap())
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    assert_eq!(panels.len(), 6);
+    for panel in panels {
+        let of_panel = format!("fig8{}", panel.panel);
+        let name = names.iter().find(|name| name.starts_with(&of_panel));
+        let file = scene_file(name.and_then(|name| name.strip_suffix(".toml")).unwrap());
+        let command = lubrication().run(&panel.scene().unwrap(), &file.run);
+        let (found, expected) = (ran(&file), command.unwrap());
+        assert_eq!(found.outcome, expected.outcome, "{of_panel}");
+        // Degrees and products of pi may differ in the last bit.
+        assert_relative_eq!(found.min_gap, expected.min_gap, max_relative = 1e-6);
+        for k in 0..2 {
+            let [a, b] = [&found, &expected].map(|run| run.deflections()[k]);
+            assert_relative_eq!(a, b, max_relative = 1e-6, epsilon = 1e-6);
+        }
+    }
+}
+
+#[test]
 fn scene_files_of_bound_states_end_in_them() {
     for (name, outcome) in [
         ("fig2-neutral-standoff", Outcome::Standoff),
@@ -199,6 +223,141 @@ fn val_without_repulsion_a_facing_pair_closes_doubly_exponentially() {
             assert_relative_eq!(run.end_time, expected, max_relative = 1e-8);
         }
     }
+}
+
+/// Lubrication theory that answers from a gap on, as boundary elements do.
+struct Resolving(Lubrication, f64);
+
+impl Hydrodynamics for Resolving {
+    fn range(&self) -> GapRange {
+        GapRange {
+            smallest: self.1,
+            largest: f64::INFINITY,
+        }
+    }
+
+    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+        self.range().check(gap)?;
+        self.0.interacting_loads(gap, set)
+    }
+
+    fn loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        self.range().check(gap)?;
+        self.0.interacting_loads_with_swirl(gap, set)
+    }
+
+    fn error_estimate(&self, gap: Gap, _: LoadSet) -> Result<f64, SceneError> {
+        self.range().check(gap).map(|()| 0.0)
+    }
+
+    fn fingerprint(&self) -> String {
+        format!("lubrication theory from {}", self.1)
+    }
+}
+
+#[test]
+fn a_run_ends_where_its_model_ceases_to_resolve_the_gap() {
+    let limit = 2.5e-4;
+    let limited = Resolving(Lubrication::new(Form::Corrected), limit);
+    // Without an end of its range it goes on.
+    let endless = Resolving(Lubrication::new(Form::Corrected), 0.0);
+    let neutral = Squirmer::with_beta(1.0, 1.0).unwrap();
+    let swirling = neutral.with_swirl(&[0.0, 0.3]).unwrap();
+    let facing = on_axis(0.5, [0.0, PI], [neutral; 2]);
+    let reduced = Plan::new(&facing).unwrap();
+    let swirling = on_axis(0.5, [0.02, PI - 0.01], [swirling, neutral]);
+    for plan in [
+        reduced.clone().without_symmetry(),
+        reduced.clone().in_three_dimensions(),
+        reduced,
+        Plan::new(&on_axis(0.5, [0.01, PI + 0.01], [neutral; 2])).unwrap(),
+        Plan::new(&swirling).unwrap(),
+    ] {
+        let run = run_plan(&plan, &limited, &RunOptions::default()).unwrap();
+        assert_eq!(run.outcome, Outcome::Unresolved, "{}", plan.state());
+        assert_relative_eq!(run.min_gap, limit, max_relative = 1e-12);
+        assert_relative_eq!(run.end.gap.eps(), limit, max_relative = 1e-12);
+        // Located: the same pair by the same loads is there at that time. Steps that end in a kink of the rates are off by
+        // more than the tolerance of 1e-8.
+        let options = RunOptions {
+            end_time: run.end_time,
+            ..RunOptions::default()
+        };
+        let there = run_plan(&plan, &endless, &options).unwrap();
+        println!("{}: gap then {:e}", plan.state(), there.end.gap.eps());
+        assert_relative_eq!(there.end.gap.eps(), limit, max_relative = 1e-3);
+        // And not by creeping up to it: steps shorten by no more than it takes to see the kink in the loads there.
+        assert!(
+            run.counters.steps <= there.counters.steps + 4,
+            "{:?}",
+            run.counters
+        );
+        assert!(
+            run.counters.rejected <= there.counters.rejected + 16,
+            "{:?}",
+            run.counters
+        );
+    }
+}
+
+#[test]
+fn a_gap_that_dips_below_the_range_within_a_step_is_found() {
+    let puller = Squirmer::with_beta(1.0, 5.0).unwrap();
+    let start = on_axis(0.5, [0.4, PI - 0.2], [puller; 2]);
+    let scene = Scene::new(start.squirmers, start.start, Some(Repulsion::PAPER), None).unwrap();
+    let form = Lubrication::new(Form::Corrected);
+    let options = RunOptions {
+        end_time: 20.0,
+        ..RunOptions::default()
+    };
+    let run_from = |smallest: f64| run(&scene, &Resolving(form, smallest), &options).unwrap();
+    let least = run_from(0.0).min_gap;
+    // Just above and just below the smallest gap of the encounter.
+    for (limit, ends) in [(least * (1.0 + 1e-6), true), (least * (1.0 - 1e-6), false)] {
+        let run = run_from(limit);
+        assert_eq!(
+            run.outcome == Outcome::Unresolved,
+            ends,
+            "{limit:e} {}",
+            run.outcome
+        );
+        let expected = if ends { limit } else { least };
+        assert_relative_eq!(run.min_gap, expected, max_relative = 1e-7);
+    }
+}
+
+#[test]
+fn val_a_facing_pair_by_boundary_elements_ends_at_their_smallest_gap_when_the_exact_one_is_there() {
+    let neutral = Squirmer::with_beta(1.0, 1.0).unwrap();
+    let scene = on_axis(0.006, [0.0, PI], [neutral; 2]);
+    let model = bem::Bem::new(1).unwrap();
+    let options = RunOptions {
+        tolerance: 1e-6,
+        ..RunOptions::default()
+    };
+    let found = run(&scene, &model, &options).unwrap();
+    assert_eq!(found.outcome, Outcome::Unresolved);
+    let limit = model.range().smallest;
+    assert_relative_eq!(found.min_gap, limit, max_relative = 1e-12);
+    let options = RunOptions {
+        end_time: found.end_time,
+        ..options
+    };
+    let exact = run(&scene, &exact::Exact::new(), &options).unwrap();
+    // Within 0.5 % of every load, the closing of ln(0.006/0.004) is off by as much of each of two loads.
+    let within = 0.01 * (0.006_f64 / limit).ln();
+    assert_relative_eq!(exact.end.gap.eps(), limit, max_relative = within);
+
+    let below = on_axis(0.5 * limit, [0.0, PI], [neutral; 2]);
+    let error = run(&below, &model, &options).unwrap_err().to_string();
+    assert!(
+        error.contains("is not resolved by mesh level 1: level 2 would do"),
+        "{error}"
+    );
 }
 
 #[test]

@@ -176,7 +176,9 @@ fn commands_tabulate_what_their_scenes_read() {
     assert_eq!(tabulated([case(5.0, 0.0, 0.0)]), facing(2));
     let sweep = [case(0.0, 1.0, 0.0), case(5.0, 0.0, 0.0)];
     assert_eq!(tabulated(sweep), LoadSet::planar(2));
-    assert_eq!(tabulated([case(5.0, 1.0, 0.5)]), LoadSet::planar(2));
+    // Offset out of the plane too: in the plane of their paths they are each other's image.
+    let point = LoadSet::planar(2).of_symmetric(Exchange::Point);
+    assert_eq!(tabulated([case(5.0, 1.0, 0.5)]), point);
     let pairs = [(0.0, 0.0), (0.0, 10.0)].map(|(beta, g)| Pair { beta, g, dz: 0.0 });
     assert_eq!(tabulated(unsymmetric_starts(&pairs)), LoadSet::planar(1));
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use scene::{Plan, Run, State};
+use scene::{Outcome, Plan, Run};
 use serde::Serialize;
 
 use super::args::Arguments;
@@ -58,7 +58,7 @@ pub(super) fn run(arguments: &RunArguments, general: &Arguments) -> Result<(), C
     let started = Instant::now();
     let (run, rows) = scene_run::stream(&model, &plan, &file.run, &out)?;
     let seconds = started.elapsed().as_secs_f64();
-    let svg = crate::figures::scene_run(&file.scene, &rows, plan.state() == State::Spatial)?;
+    let svg = crate::figures::scene_run(&file.scene, &rows, !plan.is_level())?;
     out.write("run.svg", &svg)?;
     let summary = Summary::new(&run, &plan, file.method, seconds);
     let json = summary.json()?;
@@ -107,6 +107,15 @@ fn print_summary(summary: &Summary, run: &Run, rows: &[SampleRow]) {
         ["free flights".to_owned(), format!("{}", summary.flights)],
         ["samples".to_owned(), format!("{}", rows.len())],
     ];
+    if run.outcome == Outcome::Unresolved {
+        lines.push([
+            "ended at gap [a]".to_owned(),
+            format!(
+                "{:e}, the smallest that the model resolves",
+                run.end.gap.eps()
+            ),
+        ]);
+    }
     if let Some(settled) = run.settled {
         lines.push(["steady from t =".to_owned(), format!("{settled:.4}")]);
     }

@@ -30,6 +30,7 @@ pub(super) fn outcome_colour(outcome: Option<Outcome>) -> RGBColor {
         Some(Outcome::Oscillating) => RGBColor(204, 121, 167),
         Some(Outcome::Downward) => RGBColor(0, 158, 115),
         Some(Outcome::Contact) => RGBColor(120, 70, 20),
+        Some(Outcome::Unresolved) => RGBColor(160, 32, 32),
         None => RGBColor(230, 159, 0),
     }
 }

@@ -146,7 +146,8 @@ fn fate_row(method: Method, pair: Pair, lines: &[Counts]) -> FateRow {
         upward: of(Outcome::Upward),
         oscillating: of(Outcome::Oscillating),
         downward: of(Outcome::Downward),
-        failed: share(Outcome::ALL.len()),
+        // What a model cannot tell, it fails to.
+        failed: share(Outcome::ALL.len()) + of(Outcome::Unresolved),
         sampling_error: 0.0,
         points,
     };

@@ -97,6 +97,7 @@ pub fn bound_states<H: Hydrodynamics + ?Sized>(
         set: LoadSet::planar(squirmer.modes().len()),
         repulsion: Present(repulsion),
         gravity: Absent,
+        held_below_range: false,
         failure: None,
         loads: 0,
     };

@@ -28,7 +28,7 @@ pub(super) fn dispatch<H: Hydrodynamics + ?Sized, T: Task>(
     model: &H,
     task: T,
 ) -> T::Output {
-    let start = plan.start();
+    let start = &plan.start_in_frame();
     match plan.state() {
         State::Axisymmetric => with_repulsion(plan, model, task, Axisymmetric::new(start), Absent),
         State::PointSymmetric => {
@@ -60,7 +60,7 @@ where
     C: Coordinates<N>,
     T: Task,
 {
-    match plan.gravity() {
+    match plan.gravity_in_frame() {
         Some(gravity) => with_repulsion(plan, model, task, coordinates, Present(gravity)),
         None => with_repulsion(plan, model, task, coordinates, Absent),
     }
@@ -105,6 +105,7 @@ fn motion<'a, H: ?Sized, C, R, G>(
         set: plan.load_set(),
         repulsion,
         gravity,
+        held_below_range: false,
         failure: None,
         loads: 0,
     }

@@ -3,7 +3,7 @@
 use super::coordinates::Coordinates;
 use crate::balance::{External, Heading};
 use crate::ode::System;
-use crate::{Gap, Gravity, Hydrodynamics, LoadSet, Repulsion, SceneError, Squirmer};
+use crate::{Gap, Gravity, Hydrodynamics, LoadSet, PairLoads, Repulsion, SceneError, Squirmer};
 
 /// An effect that the compiler knows to be there or not, so that an absent one leaves no trace.
 pub(crate) trait Effect<T>: Copy {
@@ -41,6 +41,9 @@ pub(crate) struct PairMotion<'a, H: ?Sized, C, R, G> {
     pub set: LoadSet,
     pub repulsion: R,
     pub gravity: G,
+    /// Whether a trial state at a gap below the model's range has the loads of the smallest gap in it, so that the
+    /// end of the range can be located; otherwise the model fails there.
+    pub held_below_range: bool,
     /// Why the last right-hand side could not be computed, if it could not.
     pub failure: Option<SceneError>,
     /// Loads evaluated so far.
@@ -94,6 +97,7 @@ where
             gap,
             repulsion: self.repulsion.get().map_or(0.0, |r| r.force(gap)),
             gravity: self.gravity,
+            held_below_range: self.held_below_range,
         };
         self.coordinates
             .motion(y, &headings, &instant, &mut self.failure)
@@ -109,6 +113,25 @@ pub(crate) struct Instant<'a, H: ?Sized, G> {
     /// Force that drives the two apart, per `pi mu a`.
     pub repulsion: f64,
     pub gravity: G,
+    pub held_below_range: bool,
+}
+
+impl<H: ?Sized, G: Copy> Clone for Instant<'_, H, G> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<H: ?Sized, G: Copy> Copy for Instant<'_, H, G> {}
+
+impl<H: Hydrodynamics + ?Sized, G> Instant<'_, H, G> {
+    /// The smallest gap of the model's range where the pair is below it and loads are held there.
+    pub fn end_of_range(&self) -> Option<Gap> {
+        let smallest = self.model.range().smallest;
+        (self.held_below_range && self.gap.eps() < smallest)
+            .then(|| Gap::new(smallest).ok())
+            .flatten()
+    }
 }
 
 impl<H: ?Sized, G: Effect<Gravity>> Instant<'_, H, G> {
@@ -127,8 +150,8 @@ impl<H: ?Sized, G: Effect<Gravity>> Instant<'_, H, G> {
     }
 }
 
-/// Time derivative of the state `y` without swirl; where the model fails, what it said is kept and
-/// nothing is a number: a trial step went too far, and the stepper retries with a shorter one.
+/// Time derivative of the state `y` without swirl; where the model fails, what it said is kept: a trial step went too
+/// far. The stepper retries with a shorter one if nothing is a number then.
 #[inline(always)]
 pub(super) fn derivative<H, C, G, const N: usize>(
     coordinates: &C,
@@ -144,13 +167,56 @@ where
 {
     // Matched by reference: the loads are too large to be moved about.
     let loads = at.model.interacting_loads(at.gap, at.set);
-    let loads = match &loads {
-        Ok(loads) => loads,
-        Err(error) => {
-            *failure = Some(error.clone());
-            return [f64::NAN; N];
-        }
+    match &loads {
+        Ok(loads) => derivative_by(coordinates, y, headings, at, loads),
+        // By value: what is pointed to would have to be in memory also where the model answers.
+        Err(error) => derivative_below_range(*coordinates, y, *headings, *at, error, failure),
+    }
+}
+
+/// The same where the model fails, by the loads of its smallest gap below that; nothing is a number where they are
+/// not held there.
+#[cold]
+#[inline(never)]
+fn derivative_below_range<H, C, G, const N: usize>(
+    coordinates: C,
+    y: &[f64; N],
+    headings: [Heading<C::Across>; 2],
+    at: Instant<'_, H, G>,
+    error: &SceneError,
+    failure: &mut Option<SceneError>,
+) -> [f64; N]
+where
+    H: Hydrodynamics + ?Sized,
+    C: Coordinates<N>,
+    G: Effect<Gravity>,
+{
+    *failure = Some(error.clone());
+    let Some(gap) = at.end_of_range() else {
+        return [f64::NAN; N];
     };
+    // The gap too: by its own, held loads would close it ever faster.
+    let at = Instant { gap, ..at };
+    match &at.model.interacting_loads(gap, at.set) {
+        Ok(loads) => derivative_by(&coordinates, y, &headings, &at, loads),
+        Err(_) => [f64::NAN; N],
+    }
+}
+
+/// Time derivative of the state `y` by the given loads.
+#[inline(always)]
+fn derivative_by<H, C, G, const N: usize>(
+    coordinates: &C,
+    y: &[f64; N],
+    headings: &[Heading<C::Across>; 2],
+    at: &Instant<'_, H, G>,
+    loads: &PairLoads,
+) -> [f64; N]
+where
+    H: Hydrodynamics + ?Sized,
+    C: Coordinates<N>,
+    G: Effect<Gravity>,
+{
     let external = at.external(coordinates, y);
     let velocity = C::velocity(at.gap, loads, at.squirmers, headings, &external);
     let mut dy = coordinates.derivative(y, &velocity);

@@ -30,11 +30,14 @@ pub enum Outcome {
     Downward,
     /// The spheres touch: nothing keeps them apart.
     Contact,
+    /// The gap closed to the smallest that the model resolves: what becomes of the pair it cannot tell. The run
+    /// ends there.
+    Unresolved,
 }
 
 impl Outcome {
     /// All outcomes.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Scattered,
         Self::Standoff,
         Self::Pairwise,
@@ -45,6 +48,7 @@ impl Outcome {
         Self::Oscillating,
         Self::Downward,
         Self::Contact,
+        Self::Unresolved,
     ];
 }
 
@@ -61,6 +65,7 @@ impl fmt::Display for Outcome {
             Self::Oscillating => "oscillating",
             Self::Downward => "downward",
             Self::Contact => "contact",
+            Self::Unresolved => "unresolved",
         })
     }
 }

@@ -23,11 +23,13 @@ pub fn rates<H: Hydrodynamics + ?Sized>(
     configuration: &Configuration,
     times: usize,
 ) -> Result<Rates, SceneError> {
+    let within = plan.plane().map(|plane| plane.within(configuration));
     let task = Evaluation {
-        configuration,
+        configuration: within.as_ref().unwrap_or(configuration),
         times,
     };
-    dispatch(plan, model, task)
+    let rates = dispatch(plan, model, task)?;
+    Ok((plan.plane()).map_or(rates, |plane| plane.rates_outside(&rates)))
 }
 
 struct Evaluation<'a> {

@@ -30,6 +30,30 @@ const MAX_PHASES: usize = 100_000;
 /// closes it as `exp(-exp(t))`: they never touch, but come this close in a finite time.
 const TOUCHING_GAP: f64 = 1e-300;
 
+/// The gap at which a run ends that nothing opens again.
+#[derive(Clone, Copy, Debug)]
+struct Floor {
+    gap: Gap,
+    outcome: Outcome,
+}
+
+impl Floor {
+    fn of<H: Hydrodynamics + ?Sized>(model: &H) -> Self {
+        let smallest = model.range().smallest;
+        if smallest > TOUCHING_GAP {
+            Self {
+                gap: Gap::from_ln(smallest.ln()),
+                outcome: Outcome::Unresolved,
+            }
+        } else {
+            Self {
+                gap: Gap::from_ln(TOUCHING_GAP.ln()),
+                outcome: Outcome::Contact,
+            }
+        }
+    }
+}
+
 /// Runs `scene` under the hydrodynamics of `model`.
 ///
 /// # Errors
@@ -68,7 +92,31 @@ pub fn run_observed<H: Hydrodynamics + ?Sized>(
     observe: &mut dyn FnMut(&Sample),
 ) -> Result<Run, SceneError> {
     options.check()?;
-    dispatch(plan, model, Observed { options, observe })
+    let Some(plane) = plan.plane() else {
+        return dispatch(plan, model, Observed { options, observe });
+    };
+    let outside = |t: f64, within: &Configuration| {
+        // The start is the scene's own, to the last bit.
+        if t > 0.0 {
+            plane.outside(within)
+        } else {
+            *plan.start()
+        }
+    };
+    let mut observe_outside = |sample: &Sample| {
+        let configuration = outside(sample.t, &sample.configuration);
+        observe(&Sample {
+            configuration,
+            ..*sample
+        });
+    };
+    let observe = &mut observe_outside;
+    let run = dispatch(plan, model, Observed { options, observe })?;
+    Ok(Run {
+        start: *plan.start(),
+        end: outside(run.end_time, &run.end),
+        ..run
+    })
 }
 
 /// The task of running a plan.
@@ -99,8 +147,8 @@ impl Task for Observed<'_, '_> {
 enum PhaseEnd {
     /// The pair receded through the gap at which it parts (the cut, or the departure distance).
     Parted,
-    /// The spheres touch.
-    Touched,
+    /// The gap is the smallest there is: the spheres touch, or the model answers for no smaller one.
+    Closed(Outcome),
     /// The pair settled in a steady state, carried on to the end time.
     Steady(Outcome),
     /// Time is up.
@@ -112,6 +160,7 @@ struct Runner<'a, 'b, H: ?Sized, C, R, G, const N: usize> {
     options: &'a RunOptions,
     motion: PairMotion<'a, H, C, R, G>,
     observe: &'a mut (dyn FnMut(&Sample) + 'b),
+    floor: Floor,
     start: Configuration,
     t: f64,
     now: Configuration,
@@ -137,11 +186,13 @@ where
     R: Effect<Repulsion>,
     G: Effect<Gravity>,
 {
-    fn new(plan: &'a Plan, motion: PairMotion<'a, H, C, R, G>, task: Observed<'a, 'b>) -> Self {
-        let start = motion.coordinates.restored(*plan.start());
+    fn new(plan: &'a Plan, mut motion: PairMotion<'a, H, C, R, G>, task: Observed<'a, 'b>) -> Self {
+        motion.held_below_range = true;
+        let start = motion.coordinates.restored(plan.start_in_frame());
         Self {
             plan,
             options: task.options,
+            floor: Floor::of(motion.model),
             motion,
             observe: task.observe,
             start,
@@ -160,6 +211,7 @@ where
     }
 
     fn run(mut self) -> Result<Run, SceneError> {
+        self.check_start()?;
         self.record_start();
         let outcome = match self.plan.free_flight_beyond(self.motion.model) {
             Some(cutoff) => self.run_with_cutoff(cutoff)?,
@@ -181,6 +233,18 @@ where
         })
     }
 
+    /// Refuses a start below the range of the model, in the model's own words where it has some.
+    fn check_start(&self) -> Result<(), SceneError> {
+        let (model, gap) = (self.motion.model, self.start.gap);
+        if gap.eps() >= model.range().smallest {
+            return Ok(());
+        }
+        model.range().check(gap).or_else(|error| {
+            model.interacting_loads(gap, self.motion.set)?;
+            Err(error)
+        })
+    }
+
     fn run_without_cutoff(&mut self) -> Result<Outcome, SceneError> {
         // Under gravity squirmers turn and may meet again: only time ends such a run.
         let departure = match self.motion.gravity.get() {
@@ -189,8 +253,7 @@ where
         };
         match self.integrate(departure)? {
             PhaseEnd::Parted => Ok(Outcome::Scattered),
-            PhaseEnd::Touched => Ok(Outcome::Contact),
-            PhaseEnd::Steady(outcome) => Ok(outcome),
+            PhaseEnd::Closed(outcome) | PhaseEnd::Steady(outcome) => Ok(outcome),
             PhaseEnd::Time => Ok(self.judge_bound()),
         }
     }
@@ -209,8 +272,7 @@ where
             } else {
                 match self.integrate(Some(cut))? {
                     PhaseEnd::Parted => free = true,
-                    PhaseEnd::Touched => return Ok(Outcome::Contact),
-                    PhaseEnd::Steady(outcome) => return Ok(outcome),
+                    PhaseEnd::Closed(outcome) | PhaseEnd::Steady(outcome) => return Ok(outcome),
                     PhaseEnd::Time => return Ok(self.judge_bound()),
                 }
             }
@@ -300,10 +362,15 @@ where
         if beyond(y[C::LN_GAP]) && stepper.dy()[C::LN_GAP] >= 0.0 {
             return Ok(PhaseEnd::Parted);
         }
+        if y[C::LN_GAP] <= self.floor.gap.ln() && stepper.dy()[C::LN_GAP] < 0.0 {
+            return Ok(PhaseEnd::Closed(self.floor.outcome));
+        }
         let mut attempts = Attempts::new(tolerance);
         let end = loop {
             let step = stepper.step(&mut self.motion, end_time);
             let step = step.map_err(|error| self.failure(error))?;
+            // What a trial step was refused for is no cause of what comes later.
+            self.motion.failure = None;
             let ended = self.follow(&step, parting);
             if let Some(end) = ended.map_err(|error| self.failure(error))? {
                 break end;
@@ -363,6 +430,9 @@ where
         }
         let last = (&step.y1, &step.dy1);
         let (y, dy) = steady_state(&mut self.motion, self.t, last, relative, attempts)?;
+        if y[C::LN_GAP] < self.floor.gap.ln() {
+            return None;
+        }
         let (from, left) = (self.t, self.options.end_time - self.t);
         let coordinates = self.motion.coordinates;
         let earlier = coordinates.decode(&y, &self.now);
@@ -390,18 +460,29 @@ where
         let crosses = |level: f64| (step.y0[of] <= level) != (step.y1[of] <= level);
         let contact = CONTACT_GAP.ln();
         let parts = parting.is_some_and(|gap| step.y1[of] >= gap.ln());
-        let touching = Gap::from_ln(TOUCHING_GAP.ln());
-        let touches = step.y1[of] <= touching.ln();
         let samples = (self.options.sample_interval)
             .is_some_and(|interval| self.next_sample(interval) <= step.t1);
-        let dense = if turns || crosses(contact) || parts || touches || samples {
+        let floor = self.floor;
+        let closes = step.y1[of] <= floor.gap.ln();
+        let dense = if turns || crosses(contact) || parts || closes || samples {
             Some(step.dense(&mut self.motion)?)
         } else {
             None
         };
+        // Below the range of a model nothing is known: neither may a gap dip there and open again within the step.
+        let closes = closes
+            || (turns && floor.outcome == Outcome::Unresolved)
+                && dense.as_ref().is_some_and(|dense| {
+                    first_minimum(dense, |_, y| y[of])
+                        .is_some_and(|t| dense.at(t)[of] < floor.gap.ln())
+                });
         let event = match parting {
             Some(gap) if parts => Some((gap, Direction::Rising, PhaseEnd::Parted)),
-            _ if touches => Some((touching, Direction::Falling, PhaseEnd::Touched)),
+            _ if closes => Some((
+                floor.gap,
+                Direction::Falling,
+                PhaseEnd::Closed(floor.outcome),
+            )),
             _ => None,
         };
         let ends_at = match (&dense, &event) {

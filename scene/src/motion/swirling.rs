@@ -26,18 +26,24 @@ where
     G: Effect<Gravity>,
     W: Effect<Swirl>,
 {
-    let both = at.model.interacting_loads_with_swirl(at.gap, at.set);
-    let (loads, swirl) = match &both {
-        Ok(both) => both,
-        Err(error) => {
-            *failure = Some(error.clone());
-            return [f64::NAN; 13];
+    let (mut gap, mut both) = (
+        at.gap,
+        at.model.interacting_loads_with_swirl(at.gap, at.set),
+    );
+    if let Err(error) = &both {
+        *failure = Some(error.clone());
+        if let Some(end) = at.end_of_range() {
+            gap = end;
+            both = at.model.interacting_loads_with_swirl(gap, at.set);
         }
+    }
+    let Ok((loads, swirl)) = &both else {
+        return [f64::NAN; 13];
     };
     let d = along_line(y);
     let turned = [0, 1].map(|k| d.cross(&headings[k].transverse));
     let velocity = pair_velocity_with_swirl(
-        at.gap,
+        gap,
         (loads, swirl),
         at.squirmers,
         (headings, &turned),

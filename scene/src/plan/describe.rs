@@ -223,13 +223,24 @@ impl Plan {
     }
 
     fn state_rows(&self) -> [PlanRow; 2] {
-        let third = match self.state {
-            State::Spatial => (
+        let third = match (self.state, self.plane()) {
+            (State::Spatial, _) => (
                 true,
-                "start or gravity is not in a plane of constant z, or there is swirl",
+                "start and gravity are in no one plane, or there is swirl".to_owned(),
             ),
-            State::Axisymmetric => (false, "nothing leaves the line of centres"),
-            _ => (false, "start and gravity are in a plane of constant z"),
+            (State::Axisymmetric, _) => (false, "nothing leaves the line of centres".to_owned()),
+            (_, None) => (
+                false,
+                "start and gravity are in a plane of constant z".to_owned(),
+            ),
+            (_, Some(plane)) => {
+                let [x, y, z] = plane.normal().map(|n| n + 0.0).into();
+                let reason = format!(
+                    "start and gravity are in the plane with the normal ({x:.3}, {y:.3}, {z:.3}), in whose frame \
+                     the motion is run"
+                );
+                (false, reason)
+            }
         };
         let symmetry = match self.state {
             State::Axisymmetric => (true, "both orientations are along the line of centres"),
@@ -237,11 +248,12 @@ impl Plan {
             State::MirrorSymmetric => (true, "identical squirmers, images in a mirror between"),
             State::Planar | State::Spatial => (false, "the start has none, or gravity breaks it"),
         };
+        let symmetry = (symmetry.0, symmetry.1.to_owned());
         [("third dimension", third), ("symmetry", symmetry)].map(|(effect, (runs, reason))| {
             PlanRow {
                 effect,
                 runs,
-                reason: reason.to_owned(),
+                reason,
             }
         })
     }
