@@ -234,7 +234,7 @@ impl Plan {
                 "start and gravity are in a plane of constant z".to_owned(),
             ),
             (_, Some(plane)) => {
-                let [x, y, z] = plane.normal().map(|n| n + 0.0).into();
+                let [x, y, z] = plane.normal().map(|n| (1e3 * n).round() / 1e3 + 0.0).into();
                 let reason = format!(
                     "start and gravity are in the plane with the normal ({x:.3}, {y:.3}, {z:.3}), in whose frame \
                      the motion is run"
