@@ -5,15 +5,18 @@ mod configuration;
 mod coordinates;
 mod dispatch;
 mod equations;
+mod floor;
 mod free_flight;
 mod outcome;
 mod plane;
 mod rates;
+mod recorder;
 mod result;
 mod run;
 mod steady;
 mod swirling;
 mod symmetric;
+mod watch;
 
 pub use bound::{BoundState, bound_states};
 pub(crate) use configuration::start;

@@ -1,0 +1,120 @@
+//! What happens within a step of the stepper: parting, touching, the smallest gap, time in contact.
+
+use super::{CONTACT_GAP, PhaseEnd, Runner};
+use crate::motion::coordinates::Coordinates;
+use crate::motion::equations::Effect;
+use crate::motion::outcome::Outcome;
+use crate::ode::{Dense, Direction, OdeError, Step, first_crossing, first_minimum};
+use crate::{Gap, Gravity, Hydrodynamics, Repulsion};
+
+impl<H, C, R, G, const N: usize> Runner<'_, '_, H, C, R, G, N>
+where
+    H: Hydrodynamics + ?Sized,
+    C: Coordinates<N>,
+    R: Effect<Repulsion>,
+    G: Effect<Gravity>,
+{
+    /// Takes in one step: up to the parting or touching if that lies in it, and then says so.
+    pub(super) fn follow(
+        &mut self,
+        step: &Step<N>,
+        parting: Option<Gap>,
+    ) -> Result<Option<PhaseEnd>, OdeError> {
+        let of = C::LN_GAP;
+        let turns = step.dy0[of] < 0.0 && step.dy1[of] >= 0.0;
+        let crosses = |level: f64| (step.y0[of] <= level) != (step.y1[of] <= level);
+        let contact = CONTACT_GAP.ln();
+        let parts = parting.is_some_and(|gap| step.y1[of] >= gap.ln());
+        let samples = self.recorder.is_due(step.t1);
+        let floor = self.floor;
+        let closes = step.y1[of] <= floor.gap.ln();
+        let dense = if turns || crosses(contact) || parts || closes || samples {
+            Some(step.dense(&mut self.motion)?)
+        } else {
+            None
+        };
+        // Below the range of a model nothing is known: neither may a gap dip there and open again within the step.
+        let closes = closes
+            || (turns && floor.outcome == Outcome::Unresolved)
+                && dense.as_ref().is_some_and(|dense| {
+                    first_minimum(dense, |_, y| y[of])
+                        .is_some_and(|t| dense.at(t)[of] < floor.gap.ln())
+                });
+        let event = match parting {
+            Some(gap) if parts => Some((gap, Direction::Rising, PhaseEnd::Parted)),
+            _ if closes => Some((
+                floor.gap,
+                Direction::Falling,
+                PhaseEnd::Closed(floor.outcome),
+            )),
+            _ => None,
+        };
+        let ends_at = match (&dense, &event) {
+            (Some(dense), Some((gap, direction, _))) => {
+                first_crossing(dense, |_, y| y[of] - gap.ln(), *direction, 0.0)
+            }
+            _ => None,
+        };
+        let (t, y) = match (&dense, ends_at, &event) {
+            (Some(dense), Some(t), Some((gap, ..))) => {
+                let mut y = dense.at(t);
+                y[of] = gap.ln();
+                (t, y)
+            }
+            _ => (step.t1, step.y1),
+        };
+        self.track_gap(step, dense.as_ref(), t, &y);
+        let previous = self.now;
+        let coordinates = self.motion.coordinates;
+        if let Some(dense) = dense.filter(|_| samples) {
+            self.recorder
+                .record_between(t, |t| coordinates.decode(&dense.at(t), &previous));
+        }
+        self.unit_drift = self.unit_drift.max(coordinates.unit_drift(&y));
+        self.t = t;
+        let end = event.filter(|_| ends_at.is_some());
+        // Until then nothing but the state itself is asked for.
+        if C::WOUND || end.is_some() || self.watch.is_on(t) {
+            self.now = coordinates.decode(&y, &previous);
+            if let Some((gap, ..)) = end {
+                self.now.gap = gap;
+            }
+            if turns {
+                self.watch.count_minimum();
+            }
+            self.watch.look_at(t, &self.now);
+        }
+        Ok(end.map(|(_, _, end)| end))
+    }
+
+    /// Smallest gap and time in contact over a step, up to `(t, y)`.
+    fn track_gap(&mut self, step: &Step<N>, dense: Option<&Dense<N>>, t: f64, y: &[f64; N]) {
+        let of = C::LN_GAP;
+        let contact = CONTACT_GAP.ln();
+        let mut least = step.y0[of].min(y[of]);
+        let nearest = dense
+            .filter(|_| step.dy0[of] < 0.0 && step.dy1[of] >= 0.0)
+            .and_then(|dense| first_minimum(dense, |_, y| y[of]).map(|t| (t, dense.at(t)[of])))
+            .filter(|(nearest, _)| *nearest < t);
+        if let Some((_, ln_gap)) = nearest {
+            least = least.min(ln_gap);
+        }
+        self.min_gap = self.min_gap.min(least.exp());
+        let crossing = |direction| {
+            dense.and_then(|dense| first_crossing(dense, |_, y| y[of] - contact, direction, 0.0))
+        };
+        let enters = if step.y0[of] <= contact {
+            Some(step.t0)
+        } else {
+            crossing(Direction::Falling)
+        };
+        let leaves = if y[of] <= contact {
+            Some(t)
+        } else {
+            crossing(Direction::Rising)
+        };
+        if let (Some(enters), Some(leaves)) = (enters, leaves) {
+            self.contact_time += (leaves.min(t) - enters).max(0.0);
+        }
+    }
+}
