@@ -37,21 +37,22 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
         gravity: Gravity,
         squirmers: &[Squirmer; 2],
     ) -> [Self::Across; 2];
-    /// Time derivative of the state at an instant, by its headings and the loads of its model; NaN where
-    /// the model fails, and why.
+    /// Time derivative of the state at an instant, by its headings and the loads of its model.
+    ///
+    /// # Errors
+    /// The model's.
     #[inline(always)]
     fn motion<H, G>(
         &self,
         y: &[f64; N],
         headings: &[Heading<Self::Across>; 2],
         at: &Instant<'_, H, G>,
-        failure: &mut Option<SceneError>,
-    ) -> [f64; N]
+    ) -> Result<[f64; N], SceneError>
     where
         H: Hydrodynamics + ?Sized,
         G: Effect<Gravity>,
     {
-        equations::derivative(self, y, headings, at, failure)
+        equations::derivative(self, y, headings, at)
     }
     /// Velocity of the pair without swirl.
     #[inline(always)]
@@ -320,15 +321,14 @@ impl<W: Effect<Swirl>> Coordinates<13> for Spatial<W> {
         y: &[f64; 13],
         headings: &[Heading<Vector3<f64>>; 2],
         at: &Instant<'_, H, G>,
-        failure: &mut Option<SceneError>,
-    ) -> [f64; 13]
+    ) -> Result<[f64; 13], SceneError>
     where
         H: Hydrodynamics + ?Sized,
         G: Effect<Gravity>,
     {
         match self.swirl.get() {
-            Some(Swirl) => swirling::derivative(self, y, headings, at, failure),
-            None => equations::derivative(self, y, headings, at, failure),
+            Some(Swirl) => swirling::derivative(self, y, headings, at),
+            None => equations::derivative(self, y, headings, at),
         }
     }
 

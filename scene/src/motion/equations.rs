@@ -3,7 +3,7 @@
 use super::coordinates::Coordinates;
 use crate::balance::{External, Heading};
 use crate::ode::System;
-use crate::{Gap, Gravity, Hydrodynamics, LoadSet, PairLoads, Repulsion, SceneError, Squirmer};
+use crate::{Gap, Gravity, Hydrodynamics, LoadSet, Repulsion, SceneError, Squirmer};
 
 /// An effect that the compiler knows to be there or not, so that an absent one leaves no trace.
 pub(crate) trait Effect<T>: Copy {
@@ -90,17 +90,46 @@ where
         let headings = self.coordinates.headings(y);
         let gap = Gap::from_ln(y[C::LN_GAP]);
         self.loads += 1;
-        let instant = Instant {
+        match (self.coordinates).motion(y, &headings, &self.instant(gap, gap, set)) {
+            Ok(dy) => dy,
+            Err(error) => self.refused(y, error),
+        }
+    }
+
+    /// What the right-hand side reads at the gap of a state and at that at which the model is asked.
+    #[inline(always)]
+    fn instant(&self, gap: Gap, asked: Gap, set: LoadSet) -> Instant<'_, H, G> {
+        Instant {
             model: self.model,
             set,
             squirmers: &self.squirmers,
-            gap,
+            gap: asked,
             repulsion: self.repulsion.get().map_or(0.0, |r| r.force(gap)),
             gravity: self.gravity,
-            held_below_range: self.held_below_range,
+        }
+    }
+
+    /// The right-hand side where the model fails, and what it said is kept: a trial step went too far. Below its range
+    /// it is asked at the end of that, if loads are held there; else nothing is a number, and the stepper retries
+    /// with a shorter step.
+    #[cold]
+    #[inline(never)]
+    fn refused<const N: usize>(&mut self, y: &[f64; N], error: SceneError) -> [f64; N]
+    where
+        C: Coordinates<N>,
+    {
+        self.failure = Some(error);
+        let gap = Gap::from_ln(y[C::LN_GAP]);
+        let smallest = self.model.range().smallest;
+        let end = Gap::new(smallest).ok();
+        let Some(end) = end.filter(|_| self.held_below_range && gap.eps() < smallest) else {
+            return [f64::NAN; N];
         };
-        self.coordinates
-            .motion(y, &headings, &instant, &mut self.failure)
+        // Its gap too: by their own, held loads would close it ever faster.
+        let headings = self.coordinates.headings(y);
+        (self.coordinates)
+            .motion(y, &headings, &self.instant(gap, end, self.set))
+            .unwrap_or([f64::NAN; N])
     }
 }
 
@@ -113,25 +142,6 @@ pub(crate) struct Instant<'a, H: ?Sized, G> {
     /// Force that drives the two apart, per `pi mu a`.
     pub repulsion: f64,
     pub gravity: G,
-    pub held_below_range: bool,
-}
-
-impl<H: ?Sized, G: Copy> Clone for Instant<'_, H, G> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<H: ?Sized, G: Copy> Copy for Instant<'_, H, G> {}
-
-impl<H: Hydrodynamics + ?Sized, G> Instant<'_, H, G> {
-    /// The smallest gap of the model's range where the pair is below it and loads are held there.
-    pub fn end_of_range(&self) -> Option<Gap> {
-        let smallest = self.model.range().smallest;
-        (self.held_below_range && self.gap.eps() < smallest)
-            .then(|| Gap::new(smallest).ok())
-            .flatten()
-    }
 }
 
 impl<H: ?Sized, G: Effect<Gravity>> Instant<'_, H, G> {
@@ -150,16 +160,17 @@ impl<H: ?Sized, G: Effect<Gravity>> Instant<'_, H, G> {
     }
 }
 
-/// Time derivative of the state `y` without swirl; where the model fails, what it said is kept: a trial step went too
-/// far. The stepper retries with a shorter one if nothing is a number then.
+/// Time derivative of the state `y` without swirl.
+///
+/// # Errors
+/// The model's.
 #[inline(always)]
 pub(super) fn derivative<H, C, G, const N: usize>(
     coordinates: &C,
     y: &[f64; N],
     headings: &[Heading<C::Across>; 2],
     at: &Instant<'_, H, G>,
-    failure: &mut Option<SceneError>,
-) -> [f64; N]
+) -> Result<[f64; N], SceneError>
 where
     H: Hydrodynamics + ?Sized,
     C: Coordinates<N>,
@@ -167,61 +178,15 @@ where
 {
     // Matched by reference: the loads are too large to be moved about.
     let loads = at.model.interacting_loads(at.gap, at.set);
-    match &loads {
-        Ok(loads) => derivative_by(coordinates, y, headings, at, loads),
-        // By value: what is pointed to would have to be in memory also where the model answers.
-        Err(error) => derivative_below_range(*coordinates, y, *headings, *at, error, failure),
-    }
-}
-
-/// The same where the model fails, by the loads of its smallest gap below that; nothing is a number where they are
-/// not held there.
-#[cold]
-#[inline(never)]
-fn derivative_below_range<H, C, G, const N: usize>(
-    coordinates: C,
-    y: &[f64; N],
-    headings: [Heading<C::Across>; 2],
-    at: Instant<'_, H, G>,
-    error: &SceneError,
-    failure: &mut Option<SceneError>,
-) -> [f64; N]
-where
-    H: Hydrodynamics + ?Sized,
-    C: Coordinates<N>,
-    G: Effect<Gravity>,
-{
-    *failure = Some(error.clone());
-    let Some(gap) = at.end_of_range() else {
-        return [f64::NAN; N];
+    let loads = match &loads {
+        Ok(loads) => loads,
+        Err(error) => return Err(error.clone()),
     };
-    // The gap too: by its own, held loads would close it ever faster.
-    let at = Instant { gap, ..at };
-    match &at.model.interacting_loads(gap, at.set) {
-        Ok(loads) => derivative_by(&coordinates, y, &headings, &at, loads),
-        Err(_) => [f64::NAN; N],
-    }
-}
-
-/// Time derivative of the state `y` by the given loads.
-#[inline(always)]
-fn derivative_by<H, C, G, const N: usize>(
-    coordinates: &C,
-    y: &[f64; N],
-    headings: &[Heading<C::Across>; 2],
-    at: &Instant<'_, H, G>,
-    loads: &PairLoads,
-) -> [f64; N]
-where
-    H: Hydrodynamics + ?Sized,
-    C: Coordinates<N>,
-    G: Effect<Gravity>,
-{
     let external = at.external(coordinates, y);
     let velocity = C::velocity(at.gap, loads, at.squirmers, headings, &external);
     let mut dy = coordinates.derivative(y, &velocity);
     if let Some(gravity) = at.gravity.get() {
         coordinates.add_axial_spin(y, &mut dy, loads, gravity, at.squirmers);
     }
-    dy
+    Ok(dy)
 }

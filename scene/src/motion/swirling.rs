@@ -13,37 +13,30 @@ use crate::{Gravity, Hydrodynamics, SceneError};
 pub(crate) struct Swirl;
 
 /// Time derivative of the state `y`.
+///
+/// # Errors
+/// The model's.
 #[inline]
 pub(super) fn derivative<H, G, W>(
     coordinates: &Spatial<W>,
     y: &[f64; 13],
     headings: &[Heading<Vector3<f64>>; 2],
     at: &Instant<'_, H, G>,
-    failure: &mut Option<SceneError>,
-) -> [f64; 13]
+) -> Result<[f64; 13], SceneError>
 where
     H: Hydrodynamics + ?Sized,
     G: Effect<Gravity>,
     W: Effect<Swirl>,
 {
-    let (mut gap, mut both) = (
-        at.gap,
-        at.model.interacting_loads_with_swirl(at.gap, at.set),
-    );
-    if let Err(error) = &both {
-        *failure = Some(error.clone());
-        if let Some(end) = at.end_of_range() {
-            gap = end;
-            both = at.model.interacting_loads_with_swirl(gap, at.set);
-        }
-    }
-    let Ok((loads, swirl)) = &both else {
-        return [f64::NAN; 13];
+    let both = at.model.interacting_loads_with_swirl(at.gap, at.set);
+    let (loads, swirl) = match &both {
+        Ok(both) => both,
+        Err(error) => return Err(error.clone()),
     };
     let d = along_line(y);
     let turned = [0, 1].map(|k| d.cross(&headings[k].transverse));
     let velocity = pair_velocity_with_swirl(
-        gap,
+        at.gap,
         (loads, swirl),
         at.squirmers,
         (headings, &turned),
@@ -55,5 +48,5 @@ where
     if let Some(gravity) = at.gravity.get() {
         coordinates.add_axial_spin(y, &mut dy, loads, gravity, at.squirmers);
     }
-    dy
+    Ok(dy)
 }
