@@ -210,9 +210,8 @@ pub(crate) fn symmetric_velocity(
 #[inline(always)]
 fn opening(gap: Gap, loads: &PairLoads, slip_difference: f64, repulsion: f64) -> f64 {
     // Near contact X11A - X12A goes as 1/(2 eps), so this product is of order one.
-    let per_force = -1.0 / (6.0 * (loads.xa.difference * gap.eps()));
-    // Repulsion, which comes last, is multiplied and added once.
-    slip_difference * per_force - repulsion * (2.0 * per_force)
+    // The quotient does not wait for the force.
+    (slip_difference - 2.0 * repulsion) * (-1.0 / (6.0 * (loads.xa.difference * gap.eps())))
 }
 
 /// Rate at which the line of centres turns, by the difference of the velocities across it.

@@ -21,6 +21,8 @@ pub(crate) trait Coordinates<const N: usize>: Copy {
     const LN_GAP: usize;
     /// Whether angles are wound on from one step to the next, so that the configuration must be known at each.
     const WOUND: bool = false;
+    /// Whether headings take sines.
+    const SINES: bool = true;
     /// The variables that without gravity are a system of their own, if there are such.
     const RELATIVE: Option<Relative>;
 
@@ -256,6 +258,7 @@ const ORIENTATION: [usize; 2] = [7, 10];
 impl<W: Effect<Swirl>> Coordinates<13> for Spatial<W> {
     type Across = Vector3<f64>;
     const WOUND: bool = true;
+    const SINES: bool = false;
     const LN_GAP: usize = SPATIAL_LN_GAP;
     const RELATIVE: Option<Relative> = None;
 

@@ -86,11 +86,14 @@ where
     where
         C: Coordinates<N>,
     {
-        // First what waits for nothing: sines overlap with the gap's exponential and the repulsion's.
-        let headings = self.coordinates.headings(y);
+        // Sines come first: they wait for nothing and overlap with the gap's exponential and the repulsion's. Headings
+        // without sines come last: over those calls they would have to be put aside.
+        let sines = C::SINES.then(|| self.coordinates.headings(y));
         let gap = Gap::from_ln(y[C::LN_GAP]);
         self.loads += 1;
-        match (self.coordinates).motion(y, &headings, &self.instant(gap, gap, set)) {
+        let instant = self.instant(gap, gap, set);
+        let headings = sines.unwrap_or_else(|| self.coordinates.headings(y));
+        match (self.coordinates).motion(y, &headings, &instant) {
             Ok(dy) => dy,
             Err(error) => self.refused(y, error),
         }
