@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use super::chebyshev::{MAX_DEGREE, coefficients, points};
+use super::chebyshev::{MAX_DEGREE, coefficients, points, tail};
 use super::parts::Parts;
 use super::{FAR_GAP, Piece, Table, TableLimit, TableSummary, Tabulated};
 use crate::{Gap, GapRange, Hydrodynamics, LoadSet, SceneError, singular};
@@ -256,18 +256,4 @@ impl<M: Hydrodynamics> Builder<'_, M> {
 fn inside(x: f64, low: f64, high: f64) -> f64 {
     let margin = 1e-12 * (high - low);
     x.clamp(low + margin, high - margin)
-}
-
-/// Size of the last coefficients, in columns relative to the larger of their values and 1, leaving out those of
-/// the pair that are not `read`.
-pub(super) fn tail(rows: &[Vec<f64>], values: &[Vec<f64>], read: &[bool]) -> f64 {
-    let columns = rows.first().map_or(0, Vec::len);
-    (0..columns)
-        .filter(|&column| read.get(column).is_none_or(|read| *read))
-        .map(|column| {
-            let scale = values.iter().map(|v| v[column].abs()).fold(1.0, f64::max);
-            let last = rows.iter().rev().take(2).map(|row| row[column].abs());
-            last.sum::<f64>() / scale
-        })
-        .fold(0.0, f64::max)
 }

@@ -33,6 +33,20 @@ pub(crate) fn coefficients(values: &[Vec<f64>]) -> Vec<Vec<f64>> {
         .collect()
 }
 
+/// Size of the last coefficients, in columns relative to the larger of their values and 1, leaving out those of
+/// the pair that are not `read`.
+pub(crate) fn tail(rows: &[Vec<f64>], values: &[Vec<f64>], read: &[bool]) -> f64 {
+    let columns = rows.first().map_or(0, Vec::len);
+    (0..columns)
+        .filter(|&column| read.get(column).is_none_or(|read| *read))
+        .map(|column| {
+            let scale = values.iter().map(|v| v[column].abs()).fold(1.0, f64::max);
+            let last = rows.iter().rev().take(2).map(|row| row[column].abs());
+            last.sum::<f64>() / scale
+        })
+        .fold(0.0, f64::max)
+}
+
 /// All columns of `sum_j series[j] T_j(u)`.
 pub(crate) fn interpolant(series: &[Vec<f64>], u: f64) -> Vec<f64> {
     let columns = series.first().map_or(0, Vec::len);

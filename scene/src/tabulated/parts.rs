@@ -6,8 +6,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::build::tail;
-use super::chebyshev::{coefficients, interpolant, points};
+use super::chebyshev::{coefficients, interpolant, points, tail};
 
 /// Highest degree on a part.
 const DEGREE: usize = 10;

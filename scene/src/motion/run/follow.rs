@@ -33,13 +33,12 @@ where
         } else {
             None
         };
+        let nearest = (dense.as_ref().filter(|_| turns))
+            .and_then(|dense| first_minimum(dense, |_, y| y[of]).map(|t| (t, dense.at(t)[of])));
         // Below the range of a model nothing is known: neither may a gap dip there and open again within the step.
         let closes = closes
-            || (turns && floor.outcome == Outcome::Unresolved)
-                && dense.as_ref().is_some_and(|dense| {
-                    first_minimum(dense, |_, y| y[of])
-                        .is_some_and(|t| dense.at(t)[of] < floor.gap.ln())
-                });
+            || floor.outcome == Outcome::Unresolved
+                && nearest.is_some_and(|(_, ln_gap)| ln_gap < floor.gap.ln());
         let event = match parting {
             Some(gap) if parts => Some((gap, Direction::Rising, PhaseEnd::Parted)),
             _ if closes => Some((
@@ -63,7 +62,7 @@ where
             }
             _ => (step.t1, step.y1),
         };
-        self.track_gap(step, dense.as_ref(), t, &y);
+        self.track_gap(step, dense.as_ref(), nearest, (t, &y));
         let previous = self.now;
         let coordinates = self.motion.coordinates;
         if let Some(dense) = dense.filter(|_| samples) {
@@ -87,16 +86,19 @@ where
         Ok(end.map(|(_, _, end)| end))
     }
 
-    /// Smallest gap and time in contact over a step, up to `(t, y)`.
-    fn track_gap(&mut self, step: &Step<N>, dense: Option<&Dense<N>>, t: f64, y: &[f64; N]) {
+    /// Smallest gap and time in contact over a step, up to `(t, y)`; `nearest` is the time at which the gap turns
+    /// within the step, and its logarithm there.
+    fn track_gap(
+        &mut self,
+        step: &Step<N>,
+        dense: Option<&Dense<N>>,
+        nearest: Option<(f64, f64)>,
+        (t, y): (f64, &[f64; N]),
+    ) {
         let of = C::LN_GAP;
         let contact = CONTACT_GAP.ln();
         let mut least = step.y0[of].min(y[of]);
-        let nearest = dense
-            .filter(|_| step.dy0[of] < 0.0 && step.dy1[of] >= 0.0)
-            .and_then(|dense| first_minimum(dense, |_, y| y[of]).map(|t| (t, dense.at(t)[of])))
-            .filter(|(nearest, _)| *nearest < t);
-        if let Some((_, ln_gap)) = nearest {
+        if let Some((_, ln_gap)) = nearest.filter(|(nearest, _)| *nearest < t) {
             least = least.min(ln_gap);
         }
         self.min_gap = self.min_gap.min(least.exp());
