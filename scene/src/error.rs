@@ -27,6 +27,14 @@ pub enum SceneError {
         /// The number.
         value: f64,
     },
+    /// A distance of the centres at which the spheres would overlap or touch.
+    #[error("{what} {distance} is not allowed: it must be greater than 2 (radii)")]
+    NotApart {
+        /// What the distance is.
+        what: &'static str,
+        /// The distance, in sphere radii.
+        distance: f64,
+    },
     /// A vector that must have a direction and has none.
     #[error("{what} {vector:?} is not allowed: the vector must be finite and not zero")]
     NoDirection {

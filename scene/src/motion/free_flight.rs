@@ -193,8 +193,16 @@ impl PairFlight {
         self.is_straight() && -rate < GRAZING * speed
     }
 
+    /// Whether the two fly straight with equal velocities, to rounding: their distance stays what it is.
+    pub(crate) fn keeps_distance(&self) -> bool {
+        let [a, b] = &self.flights;
+        let fastest = a.speed.abs().max(b.speed.abs());
+        let relative = b.orientation * b.speed - a.orientation * a.speed;
+        self.is_straight() && relative.norm() <= 8.0 * f64::EPSILON * fastest
+    }
+
     /// First time within `duration` at which the distance falls to `contact`, if it does; a pair
-    /// that starts there is in contact at time 0 if it closes in.
+    /// that starts there is in contact at time 0 if it closes in, by more than a graze.
     ///
     /// Conservative advancement: the distance's second derivative is at least minus the sum `A`
     /// of the accelerations, so the parabola `D + D' t - A t^2/2` bounds the distance from below
@@ -215,6 +223,9 @@ impl PairFlight {
         const CREEPING: f64 = 1e-6;
         /// Longest advance of a creeping pair, which goes deeper by `CREEPING` times this at most.
         const LONGEST_CREEP: f64 = 1e-3;
+        if self.keeps_distance() {
+            return Ok(None);
+        }
         let acceleration: f64 = self.flights.iter().map(Flight::acceleration).sum();
         let fastest = (self.flights.iter().map(|f| f.speed.abs())).fold(0.0, f64::max);
         let creeping = if self.is_straight() {
@@ -243,7 +254,7 @@ impl PairFlight {
             let least = 1e-13 * (1.0 + t);
             let arrived = left <= 4.0 * f64::EPSILON * contact || advance < least;
             if arrived && rate < -creeping {
-                return Ok((t <= 0.0 || !self.grazes(rate)).then_some(t));
+                return Ok((!self.grazes(rate)).then_some(t));
             }
             // Righted as good as they will be, they go no deeper than creeping would take them.
             let [one, two] = &self.flights;

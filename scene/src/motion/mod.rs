@@ -5,6 +5,7 @@ mod configuration;
 mod coordinates;
 mod dispatch;
 mod equations;
+mod far_turn;
 mod floor;
 mod free_flight;
 mod outcome;

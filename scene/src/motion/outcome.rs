@@ -3,32 +3,38 @@
 use std::fmt;
 
 use super::configuration::Configuration;
-use crate::Gravity;
+use crate::{Gravity, Squirmer};
 
 /// Outcome of an encounter, after the paper's Fig. 1(c), and under gravity after its Fig. 8.
+///
+/// It goes by the motion up to the end of the run, which is where the pair parts, touches or settles, or where
+/// its time is up. Gaps are in sphere radii.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Outcome {
-    /// I: the squirmers parted.
+    /// I: the squirmers parted. They recede from each other beyond the distance at which a run ends, or fly straight
+    /// and recede where nothing acts between them. Under gravity: they are apart (gap above 1) at the end of the
+    /// run, and gravity has not righted both.
     Scattered,
-    /// II: bound and at rest, facing each other.
+    /// II: bound and at rest: at a gap up to 1 neither the pair nor its line of centres moves.
     Standoff,
-    /// III: bound, swimming together along a line.
+    /// III: bound, swimming together along a line at a gap up to 1.
     Pairwise,
-    /// IV: bound, orbiting anticlockwise.
+    /// IV: bound, the line of centres turning anticlockwise for ever.
     Anticlockwise,
-    /// V: bound, orbiting clockwise.
+    /// V: bound, the line of centres turning clockwise for ever.
     Clockwise,
-    /// Neither parted nor settled when the run ended: on the way, or held up for long by a state
-    /// that it will leave.
+    /// Neither parted nor settled when the run ended: still approaching, side by side at a gap above 1, or delayed
+    /// for long by a state that the pair will leave.
     Undecided,
-    /// Under gravity: both point upward at the end, parted or side by side.
+    /// Under gravity: gravity turns both squirmers, and both point within 60 degrees of upward at the end, parted or
+    /// side by side; or a bound pair that rises.
     Upward,
     /// Under gravity: bound, the gap opening and closing again and again, or the line of centres swinging
     /// to and fro.
     Oscillating,
     /// Under gravity: bound, the pair swimming downward at the end.
     Downward,
-    /// The spheres touch: nothing keeps them apart.
+    /// The spheres touch: nothing keeps them apart. The run ends there.
     Contact,
     /// The gap closed to the smallest that the model resolves: what becomes of the pair it cannot tell. The run
     /// ends there.
@@ -245,6 +251,31 @@ impl LineHistory {
     }
 }
 
+/// Gravity as it rights a pair.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Righting {
+    /// The gravity that acts.
+    pub gravity: Gravity,
+    /// Whether it turns both squirmers upward: both swim and are bottom-heavy.
+    pub both: bool,
+}
+
+impl Righting {
+    /// The gravity that acts on two squirmers.
+    pub(crate) fn new(gravity: Gravity, squirmers: &[Squirmer; 2]) -> Self {
+        Self {
+            gravity,
+            both: squirmers.iter().all(|s| s.gravity_torque() > 0.0),
+        }
+    }
+
+    /// Whether it has turned both squirmers upward.
+    pub(crate) fn has_righted(&self, end: &Configuration) -> bool {
+        let up = |p: &nalgebra::Vector3<f64>| -p.dot(&self.gravity.direction());
+        self.both && end.orientations.iter().all(|p| up(p) > UPWARD)
+    }
+}
+
 /// Judges a pair under gravity from a configuration `earlier` and the one at the end, `duration` apart,
 /// what the gap did in between, and how the line of centres has turned since the pair was bound.
 pub(crate) fn judge_under_gravity(
@@ -253,10 +284,10 @@ pub(crate) fn judge_under_gravity(
     speed: f64,
     gap: &GapHistory,
     line: Option<&LineHistory>,
-    gravity: Gravity,
+    righting: &Righting,
 ) -> Outcome {
     let Some(line) = line.filter(|_| gap.most <= BOUND_GAP.ln()) else {
-        return if points_upward(end, gravity) {
+        return if righting.has_righted(end) {
             Outcome::Upward
         } else if end.gap.eps() > 1.0 {
             Outcome::Scattered
@@ -279,22 +310,17 @@ pub(crate) fn judge_under_gravity(
     if turned > STILL && end.gap.eps() <= 1.0 {
         return Outcome::Undecided;
     }
-    let down = gravity.direction();
+    let down = righting.gravity.direction();
     let sinking = (end.midpoint - earlier.midpoint).dot(&down);
     let least = DRIFT_SPEED * speed * duration;
     let both = |up: f64| (end.orientations.iter()).all(|p| up * p.dot(&down) < 0.0);
     if both(-1.0) && sinking > least {
         Outcome::Downward
-    } else if points_upward(end, gravity) || (both(1.0) && -sinking > least) {
+    } else if righting.has_righted(end) || (both(1.0) && -sinking > least) {
         Outcome::Upward
     } else {
         judge_bound(earlier, end, duration, speed)
     }
-}
-
-/// Whether both squirmers point upward.
-pub(crate) fn points_upward(end: &Configuration, gravity: Gravity) -> bool {
-    (end.orientations.iter()).all(|p| -p.dot(&gravity.direction()) > UPWARD)
 }
 
 #[cfg(test)]

@@ -17,6 +17,9 @@ pub struct RunOptions {
     /// Distance of the centres, in radii, at which a receding pair has parted, where the model has
     /// no cut and gravity does not act.
     pub departure_distance: f64,
+    /// Distance of the centres, in radii, at which the angles of a pair are read that has parted without gravity: infinity,
+    /// or wherever it has parted if that is further out. The outcome and the end of the run do not depend on it.
+    pub angles_at: f64,
     /// Time between recorded samples; none are recorded without it.
     pub sample_interval: Option<f64>,
     /// Steps, accepted and rejected, after which a run is given up; also the most contacts and flights.
@@ -29,6 +32,7 @@ impl Default for RunOptions {
             tolerance: 1e-8,
             end_time: 200.0,
             departure_distance: 12.0,
+            angles_at: f64::INFINITY,
             sample_interval: None,
             max_steps: 1_000_000,
         }
@@ -46,6 +50,14 @@ impl RunOptions {
         ] {
             if !(value > 0.0 && value.is_finite()) {
                 return Err(SceneError::NotPositive { what, value });
+            }
+        }
+        for (what, distance) in [
+            ("departure distance", self.departure_distance),
+            ("distance at which angles are read", self.angles_at),
+        ] {
+            if distance.is_nan() || distance <= 2.0 {
+                return Err(SceneError::NotApart { what, distance });
             }
         }
         let samples = self.end_time / interval;
@@ -88,6 +100,12 @@ pub struct Run {
     pub start: Configuration,
     /// The end.
     pub end: Configuration,
+    /// Where the angles are read: far out, turned by all that is still to come, if the pair parted without gravity under a
+    /// model without a cut ([`RunOptions::angles_at`]); the end otherwise.
+    pub outgoing: Configuration,
+    /// Estimate of how far the directions in [`Self::outgoing`] are from their limit at infinity, in radians; infinite if
+    /// the pair does not recede for good. Zero where nothing is cut off.
+    pub truncation: f64,
     /// Time at the end.
     pub end_time: f64,
     /// Smallest gap on the way, in radii.
@@ -109,9 +127,14 @@ pub struct Run {
 
 impl Run {
     /// Outgoing minus incoming angle of each squirmer's orientation, projected on the x-y plane,
-    /// in radians, anticlockwise positive; it winds.
+    /// in radians, anticlockwise positive; it winds. Outgoing is as `t` goes to infinity if the pair parts without
+    /// gravity, otherwise at the end of the run. A run that ends in contact, or where its model ceases to resolve the gap, has no
+    /// outgoing angle: NaN.
     #[must_use]
     pub fn deflections(&self) -> [f64; 2] {
-        [0, 1].map(|k| self.end.angles[k] - self.start.angles[k])
+        if matches!(self.outcome, Outcome::Contact | Outcome::Unresolved) {
+            return [f64::NAN; 2];
+        }
+        [0, 1].map(|k| self.outgoing.angles[k] - self.start.angles[k])
     }
 }

@@ -6,14 +6,16 @@
 //! located, not stepped over.
 
 mod follow;
+mod outgoing;
 
+use self::outgoing::Outgoing;
 use super::configuration::Configuration;
 use super::coordinates::Coordinates;
 use super::dispatch::{Task, dispatch};
 use super::equations::{Effect, PairMotion};
 use super::floor::Floor;
 use super::free_flight::PairFlight;
-use super::outcome::{Outcome, judge_steady, points_upward};
+use super::outcome::{Outcome, Righting, judge_steady};
 use super::recorder::Recorder;
 use super::result::{Counters, Run, RunOptions, Sample};
 use super::steady::{Attempts, steady_state};
@@ -88,6 +90,7 @@ pub fn run_observed<H: Hydrodynamics + ?Sized>(
     Ok(Run {
         start: *plan.start(),
         end: outside(run.end_time, &run.end),
+        outgoing: outside(run.end_time, &run.outgoing),
         ..run
     })
 }
@@ -155,11 +158,12 @@ where
     fn new(plan: &'a Plan, mut motion: PairMotion<'a, H, C, R, G>, task: Observed<'a, 'b>) -> Self {
         motion.held_below_range = true;
         let start = motion.coordinates.restored(plan.start_in_frame());
+        let righting = (motion.gravity.get()).map(|g| Righting::new(g, &motion.squirmers));
         Self {
             plan,
             options: task.options,
             recorder: Recorder::new(task.options.sample_interval, task.observe),
-            watch: Watch::new(motion.gravity.get(), task.options.end_time),
+            watch: Watch::new(righting, task.options.end_time),
             floor: Floor::of(motion.model),
             motion,
             start,
@@ -181,10 +185,20 @@ where
             None => self.run_without_cutoff()?,
         };
         self.recorder.record(self.t, self.now);
+        // Beyond a cut, and under gravity, there is no far field to wait for.
+        let cut = self.motion.model.cutoff().is_some();
+        let goes_on = outcome == Outcome::Scattered && !cut && self.motion.gravity.get().is_none();
+        let outgoing = if goes_on {
+            self.fly_out()?
+        } else {
+            Outgoing::at_end(self.now)
+        };
         self.counters.loads = self.motion.loads;
         Ok(Run {
             start: self.start,
             end: self.now,
+            outgoing: outgoing.configuration,
+            truncation: outgoing.truncation,
             end_time: self.t,
             min_gap: self.min_gap,
             contact_time: self.contact_time,
@@ -230,7 +244,7 @@ where
                     Flown::Contact if cut.eps() <= 0.0 => return Ok(Outcome::Contact),
                     Flown::Contact => free = false,
                     Flown::Parted => return Ok(Outcome::Scattered),
-                    Flown::Time => return Ok(self.judge_free()),
+                    Flown::Time => return Ok(self.judge_bound()),
                 }
             } else {
                 match self.integrate(Some(cut))? {
@@ -256,15 +270,6 @@ where
             .judge_bound(self.t, &self.now, speeds.fold(0.0, f64::max))
     }
 
-    /// Straight flight parts for good; under gravity time may be up before the next contact.
-    fn judge_free(&self) -> Outcome {
-        match self.motion.gravity.get() {
-            Some(_) if self.watch.has_begun() => self.judge_bound(),
-            Some(gravity) if points_upward(&self.now, gravity) => Outcome::Upward,
-            _ => Outcome::Scattered,
-        }
-    }
-
     /// Flies freely to the next contact at the gap `cut`, or to the end.
     fn fly(&mut self, cut: Gap) -> Result<Flown, SceneError> {
         self.counters.flights += 1;
@@ -276,13 +281,14 @@ where
         let contact = flight.contact(cut.distance(), left, self.options.max_steps)?;
         let nearest = flight.closest_approach(contact.unwrap_or(left));
         self.min_gap = self.min_gap.min(flight.distance(nearest).0 - 2.0);
-        // A straight pair that misses has parted when it begins to recede.
-        let parted = contact.is_none() && flight.is_straight() && nearest < left;
+        // A straight pair that misses has parted when it begins to recede; one that keeps its distance never does.
+        let keeps = flight.keeps_distance();
+        let parted = contact.is_none() && flight.is_straight() && nearest < left && !keeps;
         let duration = contact.unwrap_or(if parted { nearest } else { left });
         let end = self.t + duration;
         let from = self.t;
         self.recorder.record_between(end, |t| flown(t - from));
-        if !flight.is_straight() {
+        if !flight.is_straight() || keeps {
             self.watch.look_at_flight(self.t, &flight, duration);
         }
         if contact != Some(0.0) {

@@ -2,16 +2,17 @@
 
 use super::configuration::Configuration;
 use super::free_flight::PairFlight;
-use super::outcome::{GapHistory, LineHistory, Outcome, judge_bound, judge_under_gravity};
+use super::outcome::{
+    GapHistory, LineHistory, Outcome, Righting, judge_bound, judge_under_gravity,
+};
 use super::result::Sample;
-use crate::Gravity;
 
 /// Share of a run after which the pair is watched.
 const WATCHED_FROM: f64 = 0.75;
 
 /// A look at the last part of a run; under gravity at the line of centres since the pair was bound.
 pub(super) struct Watch {
-    gravity: Option<Gravity>,
+    righting: Option<Righting>,
     /// Time from which on the pair is watched.
     from: f64,
     /// The first configuration in the watched part of the run, and the gaps since.
@@ -21,9 +22,9 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    pub fn new(gravity: Option<Gravity>, end_time: f64) -> Self {
+    pub fn new(righting: Option<Righting>, end_time: f64) -> Self {
         Self {
-            gravity,
+            righting,
             from: WATCHED_FROM * end_time,
             watched: None,
             line: None,
@@ -32,16 +33,11 @@ impl Watch {
 
     /// Whether configurations at the time `t` are kept.
     pub fn is_on(&self, t: f64) -> bool {
-        self.gravity.is_some() || t >= self.from
-    }
-
-    /// Whether the watched part of the run has begun.
-    pub fn has_begun(&self) -> bool {
-        self.watched.is_some()
+        self.righting.is_some() || t >= self.from
     }
 
     pub fn look_at(&mut self, t: f64, configuration: &Configuration) {
-        if self.gravity.is_some() {
+        if self.righting.is_some() {
             self.line = LineHistory::follow(self.line, configuration);
         }
         let ln_gap = configuration.gap.ln();
@@ -82,10 +78,10 @@ impl Watch {
             return Outcome::Undecided;
         };
         let (earlier, duration) = (&watched.configuration, t - watched.t);
-        match self.gravity {
-            Some(gravity) => {
+        match &self.righting {
+            Some(righting) => {
                 let line = self.line.as_ref();
-                judge_under_gravity((earlier, now), duration, speed, gaps, line, gravity)
+                judge_under_gravity((earlier, now), duration, speed, gaps, line, righting)
             }
             None => judge_bound(earlier, now, duration, speed),
         }

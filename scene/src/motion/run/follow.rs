@@ -24,17 +24,25 @@ where
         let turns = step.dy0[of] < 0.0 && step.dy1[of] >= 0.0;
         let crosses = |level: f64| (step.y0[of] <= level) != (step.y1[of] <= level);
         let contact = CONTACT_GAP.ln();
-        let parts = parting.is_some_and(|gap| step.y1[of] >= gap.ln());
+        let parts = parting.is_some_and(|gap| parts::<C, N>(step, gap));
+        // Out and back within the step: the gap is largest inside it.
+        let crests = parting.is_some() && step.dy0[of] > 0.0 && step.dy1[of] < 0.0;
         let samples = self.recorder.is_due(step.t1);
         let floor = self.floor;
         let closes = step.y1[of] <= floor.gap.ln();
-        let dense = if turns || crosses(contact) || parts || closes || samples {
+        let dense = if turns || crests || crosses(contact) || parts || closes || samples {
             Some(step.dense(&mut self.motion)?)
         } else {
             None
         };
         let nearest = (dense.as_ref().filter(|_| turns))
             .and_then(|dense| first_minimum(dense, |_, y| y[of]).map(|t| (t, dense.at(t)[of])));
+        let farthest = (dense.as_ref().filter(|_| crests))
+            .and_then(|dense| first_minimum(dense, |_, y| -y[of]).map(|t| dense.at(t)[of]));
+        let parts = parts
+            || farthest
+                .zip(parting)
+                .is_some_and(|(ln_gap, gap)| ln_gap > gap.ln() && step.y0[of] <= gap.ln());
         // Below the range of a model nothing is known: neither may a gap dip there and open again within the step.
         let closes = closes
             || floor.outcome == Outcome::Unresolved
@@ -50,14 +58,25 @@ where
         };
         let ends_at = match (&dense, &event) {
             (Some(dense), Some((gap, direction, _))) => {
-                first_crossing(dense, |_, y| y[of] - gap.ln(), *direction, 0.0)
+                let crossing = first_crossing(dense, |_, y| y[of] - gap.ln(), *direction, 0.0);
+                // Without a crossing the whole step lies beyond: it began there, or so near that what it did first
+                // is rounding.
+                let began_beyond = match direction {
+                    Direction::Rising => step.y0[of] > gap.ln(),
+                    _ => step.y0[of] < gap.ln(),
+                };
+                let turned = nearest.map_or(step.t1, |(t, _)| t);
+                let otherwise = if began_beyond { turned } else { step.t0 };
+                Some((crossing.unwrap_or(otherwise), crossing.is_some()))
             }
             _ => None,
         };
         let (t, y) = match (&dense, ends_at, &event) {
-            (Some(dense), Some(t), Some((gap, ..))) => {
+            (Some(dense), Some((t, crosses)), Some((gap, ..))) => {
                 let mut y = dense.at(t);
-                y[of] = gap.ln();
+                if crosses {
+                    y[of] = gap.ln();
+                }
                 (t, y)
             }
             _ => (step.t1, step.y1),
@@ -75,8 +94,8 @@ where
         // Until then nothing but the state itself is asked for.
         if C::WOUND || end.is_some() || self.watch.is_on(t) {
             self.now = coordinates.decode(&y, &previous);
-            if let Some((gap, ..)) = end {
-                self.now.gap = gap;
+            if let (Some((gap, ..)), Some((_, true))) = (&end, ends_at) {
+                self.now.gap = *gap;
             }
             if turns {
                 self.watch.count_minimum();
@@ -119,4 +138,11 @@ where
             self.contact_time += (leaves.min(t) - enters).max(0.0);
         }
     }
+}
+
+/// Whether a pair is beyond the gap at which it parts when the step ends: it crossed that gap, or began
+/// beyond it and recedes by now.
+fn parts<C: Coordinates<N>, const N: usize>(step: &Step<N>, gap: Gap) -> bool {
+    let of = C::LN_GAP;
+    step.y1[of] >= gap.ln() && (step.y0[of] <= gap.ln() || step.dy1[of] >= 0.0)
 }
