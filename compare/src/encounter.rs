@@ -34,6 +34,8 @@ pub struct EncounterRow {
     pub deflection1_deg: f64,
     /// The same of the second squirmer.
     pub deflection2_deg: f64,
+    /// Estimate of how far the deflections are from their limit at infinity; 0 where nothing is cut off.
+    pub truncation_deg: f64,
     /// Smallest gap.
     pub min_gap: f64,
     /// Time spent at gaps up to 1 (the paper's tau).
@@ -62,6 +64,7 @@ impl Encounter {
             dz: case.dz,
             deflection1_deg: number(|run| run.deflections()[0].to_degrees()),
             deflection2_deg: number(|run| run.deflections()[1].to_degrees()),
+            truncation_deg: number(|run| run.truncation.to_degrees()),
             min_gap: number(|run| run.min_gap),
             duration: number(|run| run.contact_time),
             outcome: self.outcome(),
@@ -85,8 +88,8 @@ impl Encounter {
 }
 
 /// One line of `offset.csv`: change of the outgoing orientation by an offset out of the plane, the
-/// angle between the outgoing orientations with and without it, in degrees. Of a pair that is bound
-/// it is the orientation at the end of the run.
+/// angle between the outgoing orientations with and without it, in degrees. Outgoing is at infinity where the pair
+/// parts, at the end of the run where it is bound.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OffsetRow {
     /// Name of the approach.

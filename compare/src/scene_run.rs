@@ -98,6 +98,8 @@ pub struct Summary {
     pub deflection1_deg: f64,
     /// Deflection of the second squirmer, in degrees.
     pub deflection2_deg: f64,
+    /// Estimate of how far the deflections are from their limit at infinity, in degrees; 0 where nothing is cut off.
+    pub truncation_deg: f64,
     /// Time from which on the pair was in a steady state, if it was.
     pub settled: Option<f64>,
     /// Name of the hydrodynamic method.
@@ -130,6 +132,7 @@ impl Summary {
             contact_time: run.contact_time,
             deflection1_deg: deflection1,
             deflection2_deg: deflection2,
+            truncation_deg: run.truncation.to_degrees(),
             settled: run.settled,
             method: method.name(),
             state: plan.state().name(),

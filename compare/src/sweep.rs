@@ -95,8 +95,8 @@ pub fn with_offsets(cases: &[Case], dz: &[f64]) -> Vec<Case> {
 
 fn offset_row(reference: &Encounter, offset: &Encounter) -> OffsetRow {
     let change = |k: usize| match (&reference.run, &offset.run) {
-        (Ok(a), Ok(b)) => {
-            let [a, b] = [a, b].map(|run| run.end.orientations[k]);
+        (Ok(a), Ok(b)) if a.has_outgoing_angles() && b.has_outgoing_angles() => {
+            let [a, b] = [a, b].map(|run| run.outgoing.orientations[k]);
             angle_between(a, b).to_degrees()
         }
         _ => f64::NAN,

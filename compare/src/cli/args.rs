@@ -161,6 +161,15 @@ pub(crate) struct RunArguments {
         allow_hyphen_values = true
     )]
     pub tol: f64,
+    /// Distance of the centres, in radii, at which the angles of a pair that parts are read: 12 as the paper does,
+    /// or inf for their limit; where it parts, if that is further out
+    #[arg(
+        long,
+        value_name = "R|inf",
+        default_value_t = f64::INFINITY,
+        allow_hyphen_values = true
+    )]
+    pub departure: f64,
     /// Begin no further run after this time; those left out are reported
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     pub time_limit: Option<f64>,

@@ -14,7 +14,7 @@ pub(super) fn run(
     general: &Arguments,
 ) -> Result<(), CompareError> {
     let (methods, options) = model_options(models, &METHODS, general)?;
-    let sweep = sweep_options(runs.tol, runs.time_limit)?;
+    let sweep = sweep_options(runs)?;
     let panels = Defaults::paper()?.bottom_heavy;
     let out = OutputFolder::open(&general.out)?;
     let options = options.for_scenes(panels.iter().map(PanelCase::scene))?;

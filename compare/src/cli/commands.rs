@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), Compare
         Command::Explain(explain) => super::scene::explain(explain, arguments),
         Command::Report { models, runs } => {
             let (methods, options) = model_options(models, &Method::DEFAULT, arguments)?;
-            let sweep = sweep_options(runs.tol, runs.time_limit)?;
+            let sweep = sweep_options(runs)?;
             let out = OutputFolder::open(&arguments.out)?;
             let path = full_report::write(&methods, &options, &sweep, &out, typed)?;
             say!("{}", path.display());
@@ -81,10 +81,8 @@ pub(super) fn set_up(
         .collect()
 }
 
-pub(super) fn sweep_options(
-    tolerance: f64,
-    time_limit: Option<f64>,
-) -> Result<SweepOptions, CompareError> {
+pub(super) fn sweep_options(runs: &RunArguments) -> Result<SweepOptions, CompareError> {
+    let (tolerance, angles_at) = (runs.tol, runs.departure);
     if !(1e-14..=1e-2).contains(&tolerance) {
         let allowed = "give a number from 1e-14 to 1e-2";
         return Err(CompareError::input(
@@ -93,7 +91,15 @@ pub(super) fn sweep_options(
             allowed,
         ));
     }
-    let time_limit = match time_limit {
+    if angles_at.is_nan() || angles_at <= 2.0 {
+        let allowed = "give a distance of the centres greater than 2 (radii), or inf";
+        return Err(CompareError::input(
+            "--departure",
+            format!("{angles_at:?}"),
+            allowed,
+        ));
+    }
+    let time_limit = match runs.time_limit {
         None => None,
         Some(seconds) => Some(Duration::try_from_secs_f64(seconds).map_err(|_| {
             CompareError::input(
@@ -106,6 +112,7 @@ pub(super) fn sweep_options(
     Ok(SweepOptions {
         run: RunOptions {
             tolerance,
+            angles_at,
             sample_interval: Some(SAMPLE_INTERVAL),
             ..RunOptions::default()
         },
@@ -199,7 +206,7 @@ fn encounter(
     general: &Arguments,
 ) -> Result<(), CompareError> {
     let (methods, options) = model_options(&arguments.models, &Method::DEFAULT, general)?;
-    let sweep = sweep_options(arguments.runs.tol, arguments.runs.time_limit)?;
+    let sweep = sweep_options(&arguments.runs)?;
     let defaults = Defaults::paper()?;
     let defaults = defaults.encounters(approach);
     let list = |given: &Option<Numbers>, default: &[f64]| {
@@ -274,7 +281,7 @@ fn offset(
     general: &Arguments,
 ) -> Result<(), CompareError> {
     let (methods, options) = model_options(models, &Method::DEFAULT, general)?;
-    let sweep = sweep_options(runs.tol, runs.time_limit)?;
+    let sweep = sweep_options(runs)?;
     let defaults = Defaults::paper()?.offset;
     let dz = dz.map_or(defaults.dz.clone(), |dz| dz.0.clone());
     let out = OutputFolder::open(&general.out)?;

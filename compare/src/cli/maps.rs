@@ -86,7 +86,7 @@ fn checked(
     general: &Arguments,
 ) -> Result<Checked, CompareError> {
     let (methods, options) = model_options(&arguments.models, &METHODS, general)?;
-    let sweep = sweep_options(arguments.runs.tol, arguments.runs.time_limit)?;
+    let sweep = sweep_options(&arguments.runs)?;
     let grid = Grid::new(arguments.grid)?;
     let list = |given: &Option<Numbers>, default: &[f64]| {
         (given.as_ref()).map_or(default.to_vec(), |list| list.0.clone())

@@ -67,7 +67,7 @@ impl<'a> Sweep<'a> {
             .map(|pair| format!("{:?}/{:?}/{:?}", pair.beta, pair.g, pair.dz))
             .collect();
         format!(
-            "squirmers {} {}: {}; beta/g/dz {}; grid {}; tolerance {:?}; end {:?}",
+            "squirmers {} {}: {}; beta/g/dz {}; grid {}; tolerance {:?}; end {:?}; angles at {:?}",
             env!("CARGO_PKG_VERSION"),
             self.name,
             models.join(", "),
@@ -75,6 +75,7 @@ impl<'a> Sweep<'a> {
             self.grid.points(),
             self.run.tolerance,
             self.run.end_time,
+            self.run.angles_at,
         )
         .replace('\n', " ")
     }

@@ -9,8 +9,8 @@ use crate::output::OutputFolder;
 use crate::sweep::SweepOptions;
 use crate::{CompareError, Method, Model};
 
-/// One line of `scatter.csv`. Deflections wind, anticlockwise positive; those of a bound pair are
-/// the change of orientation up to the end of the run. A run that failed has NaN and the outcome
+/// One line of `scatter.csv`. Deflections wind, anticlockwise positive; those of a pair that parts without gravity are
+/// limits at infinity, those of any other the change of orientation up to the end of the run. A run that failed has NaN and the outcome
 /// `failed`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ScatterRow {

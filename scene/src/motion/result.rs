@@ -132,9 +132,17 @@ impl Run {
     /// outgoing angle: NaN.
     #[must_use]
     pub fn deflections(&self) -> [f64; 2] {
-        if matches!(self.outcome, Outcome::Contact | Outcome::Unresolved) {
-            return [f64::NAN; 2];
+        if self.has_outgoing_angles() {
+            [0, 1].map(|k| self.outgoing.angles[k] - self.start.angles[k])
+        } else {
+            [f64::NAN; 2]
         }
-        [0, 1].map(|k| self.outgoing.angles[k] - self.start.angles[k])
+    }
+
+    /// Whether the run ends with directions that mean something: not in contact, and not where its model ceases to
+    /// resolve the gap.
+    #[must_use]
+    pub fn has_outgoing_angles(&self) -> bool {
+        !matches!(self.outcome, Outcome::Contact | Outcome::Unresolved)
     }
 }
