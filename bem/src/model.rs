@@ -3,7 +3,9 @@
 use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use scene::{Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, SceneError, SwirlLoads};
+use scene::{
+    Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError, SwirlLoads,
+};
 
 use crate::BemError;
 use crate::mesh::{Grading, MeshFamily};
@@ -154,19 +156,28 @@ impl Bem {
     }
 }
 
+/// Noise of the quadrature between seams, relative to the larger of the load and 1.
+const NOISE: f64 = 1e-11;
+
 impl Hydrodynamics for Bem {
-    fn range(&self) -> GapRange {
-        GapRange {
-            smallest: smallest(self.level),
-            largest: f64::INFINITY,
+    fn description(&self) -> ModelDescription {
+        let smallest = smallest(self.level);
+        ModelDescription {
+            range: GapRange {
+                smallest,
+                largest: f64::INFINITY,
+            },
+            cutoff: None,
+            seams: SEAMS.into_iter().filter(|&seam| seam > smallest).collect(),
+            noise: NOISE,
         }
     }
 
-    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         Ok(self.solve(gap, set)?.loads)
     }
 
-    fn loads_with_swirl(
+    fn interacting_loads_with_swirl(
         &self,
         gap: Gap,
         set: LoadSet,
@@ -177,17 +188,8 @@ impl Hydrodynamics for Bem {
 
     /// The difference from the next coarser level: since errors fall by about three a level, it is
     /// about twice the error of the finer one.
-    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
-        Ok(self.solve_with_estimate(gap, set)?.1)
-    }
-
-    fn seams(&self) -> Vec<f64> {
-        let smallest = smallest(self.level);
-        SEAMS.into_iter().filter(|&seam| seam > smallest).collect()
-    }
-
-    fn noise(&self) -> f64 {
-        1e-11
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
+        Ok(Some(self.solve_with_estimate(gap, set)?.1))
     }
 
     fn fingerprint(&self) -> String {

@@ -64,7 +64,8 @@ fn val_the_error_is_below_three_times_its_estimate_at_random_gaps() {
         let model = Bem::new(1 + k as usize % 3).unwrap();
         let loads = model.loads(at, LoadSet::all(2)).unwrap();
         let (_, error) = loads.worst_error(&exact.loads(at, LoadSet::all(2)).unwrap());
-        held += u32::from(error <= 3.0 * model.error_estimate(at, LoadSet::all(2)).unwrap());
+        held +=
+            u32::from(error <= 3.0 * model.error_estimate(at, LoadSet::all(2)).unwrap().unwrap());
     }
     assert!(held >= 38, "{held} of {count}");
 }

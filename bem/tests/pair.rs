@@ -281,7 +281,10 @@ fn the_error_estimate_is_above_the_error() {
     let model = Bem::new(2).unwrap();
     for (eps, truth) in TOWNSEND_2023.into_iter().step_by(2) {
         let error = worst(&model.loads(gap(eps), LoadSet::all(0)).unwrap(), &truth);
-        let estimate = model.error_estimate(gap(eps), LoadSet::all(0)).unwrap();
+        let estimate = model
+            .error_estimate(gap(eps), LoadSet::all(0))
+            .unwrap()
+            .unwrap();
         assert!(
             estimate > error && estimate < 100.0 * error,
             "{estimate:e} for {error:e} at {eps}"

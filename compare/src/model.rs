@@ -7,9 +7,9 @@ use bem::Bem;
 use exact::Exact;
 use lt::{Form, Lubrication};
 use scene::{
-    Configuration, Gap, GapRange, Hydrodynamics, Isolated, LoadSet, PairLoads, Plan, PlanRow,
-    Rates, Run, RunOptions, Sample, Scene, SceneError, SwirlLoads, TableOptions, TableSummary,
-    Tabulated, rates, run_observed, run_plan,
+    Configuration, Gap, Hydrodynamics, Isolated, LoadSet, ModelDescription, PairLoads, Plan,
+    PlanRow, Rates, Run, RunOptions, Sample, Scene, SceneError, SwirlLoads, TableOptions,
+    TableSummary, Tabulated, rates, run_observed, run_plan,
 };
 
 use crate::progress::Progress;
@@ -256,32 +256,12 @@ impl Model {
 }
 
 impl Hydrodynamics for Model {
-    fn range(&self) -> GapRange {
-        self.hydrodynamics().range()
-    }
-
-    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
-        self.hydrodynamics().loads(gap, set)
-    }
-
-    fn loads_with_swirl(
-        &self,
-        gap: Gap,
-        set: LoadSet,
-    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
-        self.hydrodynamics().loads_with_swirl(gap, set)
-    }
-
-    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
-        self.hydrodynamics().error_estimate(gap, set)
+    fn description(&self) -> ModelDescription {
+        self.hydrodynamics().description()
     }
 
     fn fingerprint(&self) -> String {
         self.hydrodynamics().fingerprint()
-    }
-
-    fn cutoff(&self) -> Option<f64> {
-        self.hydrodynamics().cutoff()
     }
 
     fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
@@ -294,6 +274,10 @@ impl Hydrodynamics for Model {
         set: LoadSet,
     ) -> Result<(PairLoads, SwirlLoads), SceneError> {
         self.hydrodynamics().interacting_loads_with_swirl(gap, set)
+    }
+
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
+        self.hydrodynamics().error_estimate(gap, set)
     }
 }
 

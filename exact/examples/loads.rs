@@ -17,7 +17,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             println!(
                 "gap {argument}, {modes} modes: {:.3} ms, error estimate {:.1e}, residual {:.1e}",
                 1e3 * seconds,
-                exact.error_estimate(gap, LoadSet::all(modes))?,
+                exact
+                    .error_estimate(gap, LoadSet::all(modes))?
+                    .unwrap_or(f64::NAN),
                 exact.residual(gap, LoadSet::all(modes)).unwrap_or(f64::NAN),
             );
             if modes == 2 {

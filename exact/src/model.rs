@@ -2,7 +2,10 @@
 
 use std::sync::OnceLock;
 
-use scene::{Gap, GapRange, Hydrodynamics, LoadSet, MAX_MODES, PairLoads, SceneError, SwirlLoads};
+use scene::{
+    Gap, GapRange, Hydrodynamics, LoadSet, MAX_MODES, ModelDescription, PairLoads, SceneError,
+    SwirlLoads,
+};
 
 use crate::ExactError;
 use crate::error::check;
@@ -197,16 +200,25 @@ fn get_or_fit<T>(
     }
 }
 
+/// The series and their limiting forms answer at every gap.
+const RANGE: GapRange = GapRange {
+    smallest: f64::MIN_POSITIVE,
+    largest: f64::INFINITY,
+};
+
 impl Hydrodynamics for Exact {
-    fn range(&self) -> GapRange {
-        GapRange {
-            smallest: f64::MIN_POSITIVE,
-            largest: f64::INFINITY,
+    fn description(&self) -> ModelDescription {
+        ModelDescription {
+            range: RANGE,
+            cutoff: None,
+            seams: vec![SERIES_FROM, SERIES_TO],
+            // At the smallest gap that the series serve; it falls as the gap grows.
+            noise: ROUNDING / SERIES_FROM,
         }
     }
 
-    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
-        self.range().check(gap)?;
+    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+        RANGE.check(gap)?;
         check(set)?;
         match self.form(gap, set)? {
             Form::NearContact(form) => Ok(form.loads(gap, set)),
@@ -215,12 +227,12 @@ impl Hydrodynamics for Exact {
         }
     }
 
-    fn loads_with_swirl(
+    fn interacting_loads_with_swirl(
         &self,
         gap: Gap,
         set: LoadSet,
     ) -> Result<(PairLoads, SwirlLoads), SceneError> {
-        self.range().check(gap)?;
+        RANGE.check(gap)?;
         check(set)?;
         match self.form(gap, set)? {
             Form::NearContact(form) => Ok((form.loads(gap, set), form.swirl(gap, set))),
@@ -232,26 +244,17 @@ impl Hydrodynamics for Exact {
         }
     }
 
-    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
-        self.range().check(gap)?;
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
+        RANGE.check(gap)?;
         check(set)?;
         match self.form(gap, set)? {
-            Form::NearContact(form) => Ok(form.error()),
-            Form::Series => Ok(self.series_error(gap, set)?),
-            Form::FarField(form) => Ok(form.error()),
+            Form::NearContact(form) => Ok(Some(form.error())),
+            Form::Series => Ok(Some(self.series_error(gap, set)?)),
+            Form::FarField(form) => Ok(Some(form.error())),
         }
-    }
-
-    fn seams(&self) -> Vec<f64> {
-        vec![SERIES_FROM, SERIES_TO]
     }
 
     fn fingerprint(&self) -> String {
         format!("exact, terms times {}, revision {REVISION}", self.factor)
-    }
-
-    fn noise(&self) -> f64 {
-        // At the smallest gap that the series serve; it falls as the gap grows.
-        ROUNDING / SERIES_FROM
     }
 }

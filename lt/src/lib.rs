@@ -15,7 +15,10 @@
 //! ```
 
 use scene::singular::{self, Singular};
-use scene::{Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, SceneError, SelfOther, SwirlLoads};
+use scene::{
+    Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError, SelfOther,
+    SwirlLoads,
+};
 
 /// Gap up to which the spheres interact, in sphere radii.
 pub const CUTOFF: f64 = 1.0;
@@ -56,53 +59,34 @@ impl Lubrication {
     }
 }
 
+/// Gaps for which the closed form can be evaluated.
+const RANGE: GapRange = GapRange {
+    smallest: f64::MIN_POSITIVE,
+    largest: f64::INFINITY,
+};
+
 impl Hydrodynamics for Lubrication {
-    fn range(&self) -> GapRange {
-        GapRange {
-            smallest: f64::MIN_POSITIVE,
-            largest: f64::INFINITY,
+    fn description(&self) -> ModelDescription {
+        ModelDescription {
+            cutoff: Some(CUTOFF),
+            ..ModelDescription::smooth(RANGE)
         }
     }
 
-    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
-        if gap.eps() > CUTOFF {
-            set.check()?;
-            Ok(PairLoads::isolated(set))
-        } else {
-            self.interacting_loads(gap, set)
-        }
-    }
-
-    fn loads_with_swirl(
-        &self,
-        gap: Gap,
-        set: LoadSet,
-    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
-        if gap.eps() > CUTOFF {
-            Ok((self.loads(gap, set)?, SwirlLoads::isolated(set)))
-        } else {
-            self.interacting_loads_with_swirl(gap, set)
-        }
-    }
-
-    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
         set.check()?;
-        self.range().check(gap)?;
-        Ok(0.0)
+        RANGE.check(gap)?;
+        Ok(None)
     }
 
     fn fingerprint(&self) -> String {
         format!("lubrication, axial squirming {}", self.axial_squirming)
     }
 
-    fn cutoff(&self) -> Option<f64> {
-        Some(CUTOFF)
-    }
-
     #[inline]
     fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         set.check()?;
-        self.range().check(gap)?;
+        RANGE.check(gap)?;
         let Singular {
             mut xa,
             mut ya,

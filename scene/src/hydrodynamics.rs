@@ -35,109 +35,133 @@ impl GapRange {
     }
 }
 
+/// What a model says of itself. There are no defaults: whatever wraps a model hands on all of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ModelDescription {
+    /// Gaps for which the model answers.
+    pub range: GapRange,
+    /// Gap beyond which the spheres do not interact at all, if there is one: the cut of
+    /// lubrication theory. Loads may jump there.
+    pub cutoff: Option<f64>,
+    /// Ascending gaps at which the model's discretisation changes, so that the loads jump by
+    /// about the discretisation error: tables must not interpolate across them.
+    pub seams: Vec<f64>,
+    /// Size of the model's noise between seams (rounding, quadrature), relative to the larger of
+    /// the load and 1: a table tighter than this would interpolate noise.
+    pub noise: f64,
+}
+
+/// Noise of a model that is a formula.
+pub const ROUNDING_NOISE: f64 = 1e-13;
+
+impl ModelDescription {
+    /// A model that answers in a range of gaps, without a cut or seams, and with no more noise than rounding.
+    #[must_use]
+    pub fn smooth(range: GapRange) -> Self {
+        Self {
+            range,
+            cutoff: None,
+            seams: Vec::new(),
+            noise: ROUNDING_NOISE,
+        }
+    }
+}
+
 /// A hydrodynamic model of two equal spheres: gap in, loads out.
 ///
 /// Orientation enters through closed-form angular factors (see [`crate::loads`]), so this is all
 /// that the force balance and everything after it need to know of the fluid.
+///
+/// A model implements the methods without a body, and nothing else; those with one follow from them.
 pub trait Hydrodynamics: Send + Sync {
-    /// Gaps for which [`Self::loads`] answers.
-    fn range(&self) -> GapRange;
+    /// Range, cut, seams and noise.
+    fn description(&self) -> ModelDescription;
 
-    /// The loads of `set` at `gap`, but for those by swirl.
+    /// Names the model, its parameters and the revision of its code: two models with the same
+    /// fingerprint have the same loads, so that a table kept on disk may serve again.
+    fn fingerprint(&self) -> String;
+
+    /// The loads of `set` at `gap`, but for those by swirl, of spheres that interact: beyond a cut those within are
+    /// continued smoothly, so that a trial step may overshoot it before the crossing is located.
     ///
     /// # Errors
-    /// [`SceneError::GapOutsideRange`] for a gap outside [`Self::range`],
+    /// [`SceneError::GapOutsideRange`] for a gap outside the range of the model,
     /// [`SceneError::TooManyModes`] or [`SceneError::LoadsNotHeld`] if the model does not hold the set, and
     /// [`SceneError::Model`] if the model could not compute the loads.
-    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError>;
+    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError>;
 
     /// The same with the loads by the swirl modes of `set`.
     ///
     /// # Errors
-    /// As [`Self::loads`].
-    fn loads_with_swirl(
+    /// As [`Self::interacting_loads`].
+    fn interacting_loads_with_swirl(
         &self,
         gap: Gap,
         set: LoadSet,
     ) -> Result<(PairLoads, SwirlLoads), SceneError>;
 
     /// The model's own estimate of its error at `gap`: the largest over all loads of the error
-    /// relative to the larger of the load and 1. Zero for a closed form, which is exact as a
-    /// formula, whatever the formula is worth.
+    /// relative to the larger of the load and 1. None for a model that has none: a closed form such as lubrication
+    /// theory is exact as a formula, and does not know what the formula is worth.
     ///
     /// # Errors
-    /// As [`Self::loads`].
-    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError>;
+    /// As [`Self::interacting_loads`].
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError>;
 
-    /// Gap beyond which the spheres do not interact at all, if there is one: the cut of
-    /// lubrication theory. Loads may jump there.
-    fn cutoff(&self) -> Option<f64> {
-        None
-    }
-
-    /// The loads of the interacting branch, continued smoothly past [`Self::cutoff`], so that a
-    /// trial step may overshoot the cut before the crossing is located.
+    /// The loads of `set` at `gap`, but for those by swirl: beyond the cut those of lone spheres.
     ///
     /// # Errors
-    /// As [`Self::loads`].
-    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
-        self.loads(gap, set)
+    /// As [`Self::interacting_loads`].
+    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+        if self.is_cut(gap) {
+            Ok(PairLoads::isolated(set.check()?))
+        } else {
+            self.interacting_loads(gap, set)
+        }
     }
 
     /// The same with the loads by the swirl modes of `set`.
     ///
     /// # Errors
-    /// As [`Self::loads`].
-    fn interacting_loads_with_swirl(
-        &self,
-        gap: Gap,
-        set: LoadSet,
-    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
-        self.loads_with_swirl(gap, set)
-    }
-
-    /// Ascending gaps at which the model's discretisation changes, so that the loads jump by
-    /// about the discretisation error: tables must not interpolate across them.
-    fn seams(&self) -> Vec<f64> {
-        Vec::new()
-    }
-
-    /// Size of the model's noise between seams (rounding, quadrature), relative to the larger of
-    /// the load and 1: a table tighter than this would interpolate noise.
-    fn noise(&self) -> f64 {
-        1e-13
-    }
-
-    /// Names the model, its parameters and the revision of its code: two models with the same
-    /// fingerprint have the same loads, so that a table kept on disk may serve again.
-    fn fingerprint(&self) -> String;
-}
-
-/// A model behind a pointer, for callers that choose it at run time: what it costs to find the function is
-/// nothing beside a solve. Loops over a closed form or a table take the model itself.
-impl<H: Hydrodynamics + ?Sized> Hydrodynamics for Box<H> {
-    fn range(&self) -> GapRange {
-        self.as_ref().range()
-    }
-
-    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
-        self.as_ref().loads(gap, set)
-    }
-
+    /// As [`Self::interacting_loads`].
     fn loads_with_swirl(
         &self,
         gap: Gap,
         set: LoadSet,
     ) -> Result<(PairLoads, SwirlLoads), SceneError> {
-        self.as_ref().loads_with_swirl(gap, set)
+        if self.is_cut(gap) {
+            let set = set.check()?;
+            Ok((PairLoads::isolated(set), SwirlLoads::isolated(set)))
+        } else {
+            self.interacting_loads_with_swirl(gap, set)
+        }
     }
 
-    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
-        self.as_ref().error_estimate(gap, set)
+    /// Whether `gap` lies beyond the cut.
+    fn is_cut(&self, gap: Gap) -> bool {
+        self.cutoff().is_some_and(|cut| gap.eps() > cut)
     }
 
+    /// Gaps for which the model answers.
+    fn range(&self) -> GapRange {
+        self.description().range
+    }
+
+    /// Gap beyond which the spheres do not interact at all, if there is one.
     fn cutoff(&self) -> Option<f64> {
-        self.as_ref().cutoff()
+        self.description().cutoff
+    }
+}
+
+/// A model behind a pointer, for callers that choose it at run time: what it costs to find the function is
+/// nothing beside a solve. Loops over a closed form or a table take the model itself.
+impl<H: Hydrodynamics + ?Sized> Hydrodynamics for Box<H> {
+    fn description(&self) -> ModelDescription {
+        self.as_ref().description()
+    }
+
+    fn fingerprint(&self) -> String {
+        self.as_ref().fingerprint()
     }
 
     fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
@@ -152,15 +176,7 @@ impl<H: Hydrodynamics + ?Sized> Hydrodynamics for Box<H> {
         self.as_ref().interacting_loads_with_swirl(gap, set)
     }
 
-    fn seams(&self) -> Vec<f64> {
-        self.as_ref().seams()
-    }
-
-    fn noise(&self) -> f64 {
-        self.as_ref().noise()
-    }
-
-    fn fingerprint(&self) -> String {
-        self.as_ref().fingerprint()
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
+        self.as_ref().error_estimate(gap, set)
     }
 }

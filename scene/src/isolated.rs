@@ -1,6 +1,8 @@
 //! No hydrodynamic interaction: the loads of lone spheres at every gap.
 
-use crate::{Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, SceneError, SwirlLoads};
+use crate::{
+    Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError, SwirlLoads,
+};
 
 /// Two spheres that do not feel each other through the fluid.
 ///
@@ -12,38 +14,40 @@ use crate::{Gap, GapRange, Hydrodynamics, LoadSet, PairLoads, SceneError, SwirlL
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Isolated;
 
+/// Lone spheres have loads at every gap.
+const RANGE: GapRange = GapRange {
+    smallest: 0.0,
+    largest: f64::INFINITY,
+};
+
 impl Hydrodynamics for Isolated {
-    fn range(&self) -> GapRange {
-        GapRange {
-            smallest: 0.0,
-            largest: f64::INFINITY,
+    fn description(&self) -> ModelDescription {
+        ModelDescription {
+            // At no gap do they interact.
+            cutoff: Some(0.0),
+            ..ModelDescription::smooth(RANGE)
         }
     }
 
     #[inline]
-    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
-        self.range().check(gap)?;
+    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+        RANGE.check(gap)?;
         Ok(PairLoads::isolated(set.check()?))
     }
 
-    fn loads_with_swirl(
+    fn interacting_loads_with_swirl(
         &self,
         gap: Gap,
         set: LoadSet,
     ) -> Result<(PairLoads, SwirlLoads), SceneError> {
-        Ok((self.loads(gap, set)?, SwirlLoads::isolated(set)))
+        Ok((self.interacting_loads(gap, set)?, SwirlLoads::isolated(set)))
     }
 
-    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
-        self.loads(gap, set).map(|_| 0.0)
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
+        self.interacting_loads(gap, set).map(|_| None)
     }
 
     fn fingerprint(&self) -> String {
         "isolated".to_owned()
-    }
-
-    /// Zero: at no gap do they interact.
-    fn cutoff(&self) -> Option<f64> {
-        Some(0.0)
     }
 }

@@ -11,26 +11,26 @@ use compare::{Method, Model, ModelOptions};
 use lt::{Form, Lubrication};
 use nalgebra::Vector3;
 use scene::{
-    Gap, GapRange, Gravity, Hydrodynamics, LoadSet, Orientation, Outcome, PairLoads, Pose, Run,
-    RunOptions, Scene, SceneError, Squirmer, SwirlLoads, run,
+    Gap, GapRange, Gravity, Hydrodynamics, LoadSet, ModelDescription, Orientation, Outcome,
+    PairLoads, Pose, Run, RunOptions, Scene, SceneError, Squirmer, SwirlLoads, run,
 };
 
 /// Two spheres that do not notice each other, yet are integrated: there is no cut to fly beyond.
 struct Aloof;
 
 impl Hydrodynamics for Aloof {
-    fn range(&self) -> GapRange {
-        GapRange {
+    fn description(&self) -> ModelDescription {
+        ModelDescription::smooth(GapRange {
             smallest: 1e-6,
             largest: f64::INFINITY,
-        }
+        })
     }
 
-    fn loads(&self, _: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+    fn interacting_loads(&self, _: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         Ok(PairLoads::isolated(set))
     }
 
-    fn loads_with_swirl(
+    fn interacting_loads_with_swirl(
         &self,
         _: Gap,
         set: LoadSet,
@@ -38,8 +38,8 @@ impl Hydrodynamics for Aloof {
         Ok((PairLoads::isolated(set), SwirlLoads::isolated(set)))
     }
 
-    fn error_estimate(&self, _: Gap, _: LoadSet) -> Result<f64, SceneError> {
-        Ok(0.0)
+    fn error_estimate(&self, _: Gap, _: LoadSet) -> Result<Option<f64>, SceneError> {
+        Ok(None)
     }
 
     fn fingerprint(&self) -> String {

@@ -13,9 +13,9 @@ use compare::{Approach, Case, Defaults, Method, Model, ModelOptions, SceneFile};
 use lt::{Form, Lubrication};
 use nalgebra::Vector3;
 use scene::{
-    Gap, GapRange, Gravity, Hydrodynamics, Isolated, LoadSet, Orientation, Outcome, PairLoads,
-    Plan, Pose, Repulsion, Run, RunOptions, Scene, SceneError, Squirmer, State, SwirlLoads, rates,
-    run, run_plan,
+    Gap, GapRange, Gravity, Hydrodynamics, Isolated, LoadSet, ModelDescription, Orientation,
+    Outcome, PairLoads, Plan, Pose, Repulsion, Run, RunOptions, Scene, SceneError, Squirmer, State,
+    SwirlLoads, rates, run, run_plan,
 };
 
 fn folder() -> PathBuf {
@@ -229,19 +229,19 @@ fn val_without_repulsion_a_facing_pair_closes_doubly_exponentially() {
 struct Resolving(Lubrication, f64);
 
 impl Hydrodynamics for Resolving {
-    fn range(&self) -> GapRange {
-        GapRange {
+    fn description(&self) -> ModelDescription {
+        ModelDescription::smooth(GapRange {
             smallest: self.1,
             largest: f64::INFINITY,
-        }
+        })
     }
 
-    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         self.range().check(gap)?;
         self.0.interacting_loads(gap, set)
     }
 
-    fn loads_with_swirl(
+    fn interacting_loads_with_swirl(
         &self,
         gap: Gap,
         set: LoadSet,
@@ -250,8 +250,8 @@ impl Hydrodynamics for Resolving {
         self.0.interacting_loads_with_swirl(gap, set)
     }
 
-    fn error_estimate(&self, gap: Gap, _: LoadSet) -> Result<f64, SceneError> {
-        self.range().check(gap).map(|()| 0.0)
+    fn error_estimate(&self, gap: Gap, _: LoadSet) -> Result<Option<f64>, SceneError> {
+        self.range().check(gap).map(|()| None)
     }
 
     fn fingerprint(&self) -> String {
@@ -582,11 +582,15 @@ struct Disturbed {
 }
 
 impl scene::Hydrodynamics for Disturbed {
-    fn range(&self) -> scene::GapRange {
-        Lubrication::new(Form::Corrected).range()
+    fn description(&self) -> scene::ModelDescription {
+        scene::ModelDescription::smooth(Lubrication::new(Form::Corrected).range())
     }
 
-    fn loads(&self, gap: Gap, set: LoadSet) -> Result<scene::PairLoads, scene::SceneError> {
+    fn interacting_loads(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<scene::PairLoads, scene::SceneError> {
         let set = LoadSet::all(set.modes);
         let loads = Lubrication::new(Form::Corrected).interacting_loads(gap, set)?;
         let mut columns: Vec<_> = loads.columns().collect();
@@ -595,16 +599,19 @@ impl scene::Hydrodynamics for Disturbed {
         Ok(scene::PairLoads::from_columns(set, set, &columns))
     }
 
-    fn loads_with_swirl(
+    fn interacting_loads_with_swirl(
         &self,
         gap: Gap,
         set: LoadSet,
     ) -> Result<(scene::PairLoads, scene::SwirlLoads), scene::SceneError> {
-        Ok((self.loads(gap, set)?, scene::SwirlLoads::isolated(set)))
+        Ok((
+            self.interacting_loads(gap, set)?,
+            scene::SwirlLoads::isolated(set),
+        ))
     }
 
-    fn error_estimate(&self, _: Gap, _: LoadSet) -> Result<f64, scene::SceneError> {
-        Ok(0.0)
+    fn error_estimate(&self, _: Gap, _: LoadSet) -> Result<Option<f64>, scene::SceneError> {
+        Ok(None)
     }
 
     fn fingerprint(&self) -> String {

@@ -10,8 +10,9 @@ use compare::maps::{Pair, unsymmetric_starts};
 use compare::{Approach, Case, Method, Model, ModelOptions, SceneFile};
 use lt::{Form, Lubrication};
 use scene::{
-    Exchange, Gap, GapRange, Gravity, Hydrodynamics, LoadSet, Orientation, PairLoads, Plan, Pose,
-    RunOptions, Scene, SceneError, Squirmer, SwirlLoads, TableOptions, Tabulated, run_plan,
+    Exchange, Gap, GapRange, Gravity, Hydrodynamics, LoadSet, ModelDescription, Orientation,
+    PairLoads, Plan, Pose, RunOptions, Scene, SceneError, Squirmer, SwirlLoads, TableOptions,
+    Tabulated, run_plan,
 };
 
 /// A model that counts what it is asked for.
@@ -34,18 +35,18 @@ impl Counted {
 }
 
 impl Hydrodynamics for Counted {
-    fn range(&self) -> GapRange {
-        GapRange {
+    fn description(&self) -> ModelDescription {
+        ModelDescription::smooth(GapRange {
             smallest: 1e-12,
             largest: f64::INFINITY,
-        }
+        })
     }
 
-    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         self.note(set).interacting_loads(gap, set)
     }
 
-    fn loads_with_swirl(
+    fn interacting_loads_with_swirl(
         &self,
         gap: Gap,
         set: LoadSet,
@@ -53,8 +54,8 @@ impl Hydrodynamics for Counted {
         self.note(set).interacting_loads_with_swirl(gap, set)
     }
 
-    fn error_estimate(&self, _: Gap, _: LoadSet) -> Result<f64, SceneError> {
-        Ok(0.0)
+    fn error_estimate(&self, _: Gap, _: LoadSet) -> Result<Option<f64>, SceneError> {
+        Ok(None)
     }
 
     fn fingerprint(&self) -> String {

@@ -126,8 +126,8 @@ struct LoadRow {
     gap: f64,
     name: String,
     value: f64,
-    /// The model's own estimate, relative to the larger of the load and 1.
-    error_estimate: f64,
+    /// The model's own estimate, relative to the larger of the load and 1; `none` for a closed form, which has none.
+    error_estimate: String,
 }
 
 /// A highest slip mode, if loads can hold so many.
@@ -162,14 +162,15 @@ fn loads(
         let model = Model::set_up(method, &options)?;
         for &gap in &gaps {
             let (loads, swirl) = model.loads_with_swirl(gap, set)?;
-            let error_estimate = model.error_estimate(gap, set)?;
+            let error_estimate = (model.error_estimate(gap, set)?)
+                .map_or_else(|| "none".to_owned(), |error| format!("{error:.1e}"));
             let named = loads.named().into_iter().chain(swirl.named());
             rows.extend(named.map(|(name, value)| LoadRow {
                 method: method.name(),
                 gap: gap.eps(),
                 name,
                 value,
-                error_estimate,
+                error_estimate: error_estimate.clone(),
             }));
         }
     }
@@ -182,7 +183,7 @@ fn loads(
                 format!("{}", row.gap),
                 row.name.clone(),
                 format!("{:.9}", row.value),
-                format!("{:.1e}", row.error_estimate),
+                row.error_estimate.clone(),
             ]
         }),
     );

@@ -197,6 +197,7 @@ fn method_cost(model: &Model, encounters: &[Encounter]) -> MethodCost {
             let limit = match table.limit {
                 TableLimit::Tolerance(_) => "tolerance",
                 TableLimit::Noise(_) => "model noise",
+                TableLimit::Missed(_) => "not reached",
             };
             (table.evaluations, table.interpolation_error, limit)
         }
@@ -206,8 +207,8 @@ fn method_cost(model: &Model, encounters: &[Encounter]) -> MethodCost {
     // A closed form has no error of its own to state; what the formula is worth is another matter.
     let stated = |eps: f64| {
         let gap = Gap::new(eps).ok()?;
-        let error = model.error_estimate(gap, LOADS).ok()?;
-        (error > 0.0).then_some((eps, error))
+        let error = model.error_estimate(gap, LOADS).ok()??;
+        Some((eps, error))
     };
     MethodCost {
         method: model.method().name().to_owned(),

@@ -31,7 +31,7 @@ fn conditions(rows: &mut Rows) -> Result<(), CompareError> {
         let gap = Gap::new(eps)?;
         let found = model.conditions(gap, LOADS)?;
         let most = found.iter().map(|c| c.solved).fold(0.0, larger);
-        let estimate = model.error_estimate(gap, LOADS)?;
+        let estimate = model.error_estimate(gap, LOADS)?.unwrap_or(f64::NAN);
         let from = "rounding times condition below the estimated error of the discretisation";
         rows.add(
             name,

@@ -115,7 +115,7 @@ fn reflections(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
                 let [one, two] = levels()?.map(|model| model.loads(gap, DRAGS));
                 LAST * most_apart(&drags(&one?), &drags(&two?))
             }
-            _ => model.error_estimate(gap, DRAGS)?,
+            _ => model.error_estimate(gap, DRAGS)?.unwrap_or(0.0),
         };
         rows.add(
             name,

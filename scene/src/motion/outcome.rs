@@ -354,6 +354,31 @@ mod tests {
     }
 
     #[test]
+    fn only_gravity_that_turns_both_rights_a_pair() {
+        let apart = Configuration {
+            gap: crate::Gap::from_ln(5.0),
+            midpoint: nalgebra::Vector3::zeros(),
+            line: nalgebra::Vector3::x(),
+            orientations: [nalgebra::Vector3::y(); 2],
+            line_angle: 0.0,
+            angles: [0.5 * std::f64::consts::PI; 2],
+        };
+        let swimmer = Squirmer::with_beta(1.0, 0.0).expect("a squirmer");
+        let heavy = swimmer.bottom_heavy(10.0).expect("a squirmer");
+        let passive = Squirmer::new(&[])
+            .and_then(|s| s.bottom_heavy(10.0))
+            .expect("a sphere");
+        let judged = |pair: [Squirmer; 2]| {
+            let righting = Righting::new(Gravity::DOWN, &pair);
+            let gaps = GapHistory::from(apart.gap.ln());
+            judge_under_gravity((&apart, &apart), 1.0, 1.0, &gaps, None, &righting)
+        };
+        assert_eq!(judged([heavy; 2]), Outcome::Upward);
+        assert_eq!(judged([heavy, swimmer]), Outcome::Scattered);
+        assert_eq!(judged([passive, heavy]), Outcome::Scattered);
+    }
+
+    #[test]
     fn tremor_is_no_reversal() {
         let line = history((0..200).map(|i| 0.05 * f64::from(i) + 0.2 * f64::from(i).sin()));
         assert!(line.orbits() && line.swings == 0, "{line:?}");

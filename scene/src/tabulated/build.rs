@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::chebyshev::{MAX_DEGREE, coefficients, points, tail};
 use super::parts::Parts;
 use super::{FAR_GAP, Piece, Table, TableLimit, TableSummary, Tabulated};
-use crate::{Gap, GapRange, Hydrodynamics, LoadSet, SceneError, singular};
+use crate::{Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, SceneError, singular};
 
 /// How to build a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,27 +78,45 @@ impl<M: Hydrodynamics> Tabulated<M> {
             }
         }
         options.set.check()?;
-        let noise = model.noise();
+        let ModelDescription {
+            range: answers,
+            cutoff,
+            seams,
+            noise,
+        } = model.description();
         let limit = if noise > options.tolerance {
             TableLimit::Noise(noise)
         } else {
             TableLimit::Tolerance(options.tolerance)
         };
         let range = GapRange {
-            smallest: options.smallest_gap.max(model.range().smallest),
-            largest: model.range().largest,
+            smallest: options.smallest_gap.max(answers.smallest),
+            largest: answers.largest,
         };
+        // Spheres that no longer interact have no loads far apart that anybody reads.
+        let beyond_cut = cutoff.filter(|&cut| cut > range.smallest);
+        let range = GapRange {
+            largest: beyond_cut.map_or(range.largest, |cut| (2.0 * cut).max(FAR_GAP)),
+            ..range
+        };
+        let target = noise.max(options.tolerance);
         let builder = Builder {
             model: &model,
             options,
-            target: noise.max(options.tolerance),
+            target,
             evaluations: AtomicUsize::new(0),
             progress,
         };
-        let (near, far) = builder.regions(range)?;
+        let (near, far) = regions(range, &seams)?;
         let (near, near_error) = builder.region(Coordinate::LogGap, &near)?;
         let (far, far_error) = builder.region(Coordinate::InverseDistance, &far)?;
         let evaluations = builder.evaluations.into_inner();
+        let interpolation_error = near_error.max(far_error);
+        let limit = if interpolation_error > target {
+            TableLimit::Missed(interpolation_error)
+        } else {
+            limit
+        };
         let table = Table {
             set: options.set,
             range,
@@ -106,7 +124,7 @@ impl<M: Hydrodynamics> Tabulated<M> {
             far,
             summary: TableSummary {
                 limit,
-                interpolation_error: near_error.max(far_error),
+                interpolation_error,
                 evaluations,
             },
         };
@@ -115,30 +133,6 @@ impl<M: Hydrodynamics> Tabulated<M> {
 }
 
 impl<M: Hydrodynamics> Builder<'_, M> {
-    /// Ends of the pieces of both regions: ends of the range, and the seams in between.
-    fn regions(&self, range: GapRange) -> Result<(Vec<f64>, Vec<f64>), SceneError> {
-        let split = FAR_GAP.ln();
-        let largest = Gap::new(range.largest.min(INFINITE_GAP))?;
-        let mut near = vec![range.smallest.ln(), split];
-        let farthest = if range.largest.is_finite() {
-            1.0 / largest.distance()
-        } else {
-            0.0
-        };
-        let mut far = vec![farthest, 1.0 / (2.0 + FAR_GAP)];
-        for seam in self.model.seams() {
-            let seam = Gap::new(seam)?;
-            if seam.ln() > near[0] && seam.ln() < split {
-                near.push(seam.ln());
-            } else if seam.ln() > split && seam.eps() < largest.eps() {
-                far.push(1.0 / seam.distance());
-            }
-        }
-        near.sort_by(f64::total_cmp);
-        far.sort_by(f64::total_cmp);
-        Ok((near, far))
-    }
-
     /// The pieces between consecutive `ends`, and their largest interpolation error.
     fn region(
         &self,
@@ -170,12 +164,7 @@ impl<M: Hydrodynamics> Builder<'_, M> {
             let error = tail(&rows, &values, &read);
             let done = error <= self.target;
             if done || (degree == MAX_DEGREE && halvings == MAX_HALVINGS) {
-                // The model is least sure at the smallest gap.
-                let worst = match coordinate {
-                    Coordinate::LogGap => inside(low, low, high),
-                    Coordinate::InverseDistance => inside(high, low, high),
-                };
-                let gap = coordinate.gap(worst)?;
+                let of_model = self.model_error(coordinate, low, high)?;
                 let of_pair = self.options.set.column_count();
                 let (pair, swirl): (Vec<_>, Vec<_>) = (rows.iter())
                     .map(|row| row.split_at(of_pair))
@@ -187,7 +176,7 @@ impl<M: Hydrodynamics> Builder<'_, M> {
                     high,
                     pair: Parts::of_series(&pair, accuracy, &read),
                     swirl: Parts::of_series(&swirl, accuracy, &[]),
-                    error: self.model.error_estimate(gap, self.options.set)?,
+                    error: of_model,
                 };
                 return Ok(vec![(piece, error)]);
             }
@@ -204,6 +193,25 @@ impl<M: Hydrodynamics> Builder<'_, M> {
             degree *= 2;
             values = self.values(coordinate, low, high, degree, Some(values))?;
         }
+    }
+
+    /// The largest of the model's error estimates at the ends of a piece and in its middle.
+    fn model_error(
+        &self,
+        coordinate: Coordinate,
+        low: f64,
+        high: f64,
+    ) -> Result<Option<f64>, SceneError> {
+        let mut largest: Option<f64> = None;
+        for x in [low, 0.5 * (low + high), high] {
+            let gap = coordinate.gap(inside(x, low, high))?;
+            let estimate = self.model.error_estimate(gap, self.options.set)?;
+            largest = match (largest, estimate) {
+                (Some(a), Some(b)) => Some(a.max(b)),
+                (a, b) => a.or(b),
+            };
+        }
+        Ok(largest)
     }
 
     /// Smooth part of the loads at the Chebyshev points; every other one is already known from
@@ -234,9 +242,9 @@ impl<M: Hydrodynamics> Builder<'_, M> {
         let gap = coordinate.gap(x)?;
         let set = self.options.set;
         let mut columns: Vec<f64> = if set.swirl == 0 {
-            self.model.loads(gap, set)?.columns().collect()
+            self.model.interacting_loads(gap, set)?.columns().collect()
         } else {
-            let (pair, swirl) = self.model.loads_with_swirl(gap, set)?;
+            let (pair, swirl) = self.model.interacting_loads_with_swirl(gap, set)?;
             pair.columns().chain(swirl.columns()).collect()
         };
         if let Coordinate::LogGap = coordinate {
@@ -250,6 +258,35 @@ impl<M: Hydrodynamics> Builder<'_, M> {
         (self.progress)(done);
         Ok(columns)
     }
+}
+
+/// Ends of the pieces of both regions: ends of the range, and the seams in between.
+fn regions(range: GapRange, seams: &[f64]) -> Result<(Vec<f64>, Vec<f64>), SceneError> {
+    let split = FAR_GAP.ln();
+    let largest = Gap::new(range.largest.min(INFINITE_GAP))?;
+    let mut near = vec![range.smallest.ln(), split];
+    let farthest = if range.largest.is_finite() {
+        1.0 / largest.distance()
+    } else {
+        0.0
+    };
+    let begins = 1.0 / (2.0 + FAR_GAP);
+    let mut far = if farthest < begins {
+        vec![farthest, begins]
+    } else {
+        Vec::new()
+    };
+    for &seam in seams {
+        let seam = Gap::new(seam)?;
+        if seam.ln() > near[0] && seam.ln() < split {
+            near.push(seam.ln());
+        } else if seam.ln() > split && seam.eps() < largest.eps() {
+            far.push(1.0 / seam.distance());
+        }
+    }
+    near.sort_by(f64::total_cmp);
+    far.sort_by(f64::total_cmp);
+    Ok((near, far))
 }
 
 /// `x`, kept off the ends of a piece, where a seam may belong to the neighbour.

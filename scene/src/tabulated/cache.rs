@@ -14,7 +14,7 @@ use super::{Table, TableOptions, Tabulated};
 use crate::{Hydrodynamics, SceneError};
 
 /// Changes with the meaning of the stored table.
-const FORMAT: &str = "table 6";
+const FORMAT: &str = "table 7";
 
 #[derive(Serialize, Deserialize)]
 struct Kept {

@@ -4,8 +4,10 @@
 //! parts that diverge at contact ([`singular`]) are subtracted; beyond, in `1/r`, out to infinity.
 //! Pieces end at the model's seams. Chebyshev points are doubled, and pieces halved, until the
 //! last coefficients are below the tolerance or the model's own noise; what is evaluated are polynomials
-//! of low degree on equal parts of a piece (`parts`). Below its smallest gap a
-//! table asks the model, which may have a closed form there, or refuse.
+//! of low degree on equal parts of a piece (`parts`). Outside its gaps a
+//! table asks the model, which may have a closed form there, or refuse. Of a model with a cut the table
+//! holds the loads of spheres that interact, to the cut and some way beyond, so that nothing jumps; beyond the cut the
+//! spheres are alone, as by the model.
 
 mod build;
 mod cache;
@@ -20,7 +22,9 @@ use self::parts::Parts;
 use crate::loads::{MAX_MODES, PairLoads};
 use crate::singular::Singular;
 use crate::swirl::swirl_column_count;
-use crate::{Gap, GapRange, Hydrodynamics, LoadSet, SceneError, SwirlLoads, singular};
+use crate::{
+    Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, SceneError, SwirlLoads, singular,
+};
 
 /// Gap at which the table changes from `ln eps` to `1/r`, in radii.
 pub const FAR_GAP: f64 = 2.0;
@@ -32,6 +36,8 @@ pub enum TableLimit {
     Tolerance(f64),
     /// The noise of the model, which is above the tolerance that was asked for.
     Noise(f64),
+    /// Neither: pieces were halved as often as is allowed, and this error is left. The model is not smooth there.
+    Missed(f64),
 }
 
 /// How a table was built.
@@ -54,8 +60,8 @@ struct Piece {
     pair: Parts,
     /// The columns of [`SwirlLoads::columns`].
     swirl: Parts,
-    /// The model's error estimate in this piece.
-    error: f64,
+    /// The largest of the model's error estimates in this piece, if it has any.
+    error: Option<f64>,
 }
 
 impl Piece {
@@ -103,16 +109,15 @@ impl<M> Tabulated<M> {
 }
 
 impl Table {
-    /// Whether the table begins above `gap`.
+    /// Whether `gap` lies outside the table, so that the model has to answer or refuse.
     #[inline]
-    fn is_above(&self, gap: Gap) -> bool {
-        gap.eps() < self.range.smallest && self.range.check(gap).is_err()
+    fn is_outside(&self, gap: Gap) -> bool {
+        self.range.check(gap).is_err()
     }
 
     /// The piece that `gap` lies in, and its coordinate there.
     #[inline]
     fn piece(&self, gap: Gap) -> Result<(&Piece, f64), SceneError> {
-        self.range.check(gap)?;
         let (pieces, x) = if gap.eps() <= FAR_GAP {
             (&self.near, gap.ln())
         } else {
@@ -192,12 +197,20 @@ macro_rules! with_layout {
 }
 
 impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
-    fn range(&self) -> GapRange {
-        self.model.range()
+    /// The model's, but for the noise, which is the interpolation error.
+    fn description(&self) -> ModelDescription {
+        ModelDescription {
+            noise: self.table.summary.interpolation_error,
+            ..self.model.description()
+        }
+    }
+
+    fn fingerprint(&self) -> String {
+        format!("table of {}", self.model.fingerprint())
     }
 
     #[inline]
-    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         let table = &self.table;
         if !table.set.holds(set) {
             return Err(SceneError::LoadsNotHeld {
@@ -205,8 +218,8 @@ impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
                 held: table.set,
             });
         }
-        if table.is_above(gap) {
-            return self.model.loads(gap, set);
+        if table.is_outside(gap) {
+            return self.model.interacting_loads(gap, set);
         }
         match (table.set.transverse, table.set.twist) {
             (true, true) => with_layout!(table, gap, set, LoadSet::all),
@@ -216,15 +229,15 @@ impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
         }
     }
 
-    fn loads_with_swirl(
+    fn interacting_loads_with_swirl(
         &self,
         gap: Gap,
         set: LoadSet,
     ) -> Result<(PairLoads, SwirlLoads), SceneError> {
         let table = &self.table;
-        let loads = self.loads(gap, set)?;
-        if table.is_above(gap) {
-            return self.model.loads_with_swirl(gap, set);
+        let loads = self.interacting_loads(gap, set)?;
+        if table.is_outside(gap) {
+            return self.model.interacting_loads_with_swirl(gap, set);
         }
         let swirl = match set.swirl {
             0 => SwirlLoads::zero(set),
@@ -234,20 +247,14 @@ impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
         Ok((loads, swirl))
     }
 
-    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<f64, SceneError> {
-        if self.table.is_above(gap) {
+    /// The model's own, the largest of those in the same piece, and the interpolation's.
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
+        if self.table.is_outside(gap) {
             return self.model.error_estimate(gap, set);
         }
         let (piece, _) = self.table.piece(gap)?;
-        Ok(piece.error + self.table.summary.interpolation_error)
-    }
-
-    fn noise(&self) -> f64 {
-        self.table.summary.interpolation_error
-    }
-
-    fn fingerprint(&self) -> String {
-        format!("table of {}", self.model.fingerprint())
+        let interpolation = self.table.summary.interpolation_error;
+        Ok(piece.error.map(|error| error + interpolation))
     }
 }
 

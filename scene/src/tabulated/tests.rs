@@ -10,14 +10,19 @@ struct Made {
 }
 
 impl Hydrodynamics for Made {
-    fn range(&self) -> GapRange {
-        GapRange {
-            smallest: 1e-3,
-            largest: f64::INFINITY,
+    fn description(&self) -> ModelDescription {
+        ModelDescription {
+            range: GapRange {
+                smallest: 1e-3,
+                largest: f64::INFINITY,
+            },
+            cutoff: None,
+            seams: self.seam.into_iter().collect(),
+            noise: self.noise,
         }
     }
 
-    fn loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         self.range().check(gap)?;
         let (eps, r) = (gap.eps(), gap.distance());
         let mut loads = PairLoads::isolated(set);
@@ -36,7 +41,7 @@ impl Hydrodynamics for Made {
         Ok(loads)
     }
 
-    fn loads_with_swirl(
+    fn interacting_loads_with_swirl(
         &self,
         gap: Gap,
         set: LoadSet,
@@ -50,19 +55,11 @@ impl Hydrodynamics for Made {
                 load.difference = fade * (load.difference + smooth.difference);
             }
         }
-        Ok((self.loads(gap, set)?, swirl))
+        Ok((self.interacting_loads(gap, set)?, swirl))
     }
 
-    fn error_estimate(&self, gap: Gap, _: LoadSet) -> Result<f64, SceneError> {
-        Ok(1e-6 / gap.eps())
-    }
-
-    fn seams(&self) -> Vec<f64> {
-        self.seam.into_iter().collect()
-    }
-
-    fn noise(&self) -> f64 {
-        self.noise
+    fn error_estimate(&self, gap: Gap, _: LoadSet) -> Result<Option<f64>, SceneError> {
+        Ok(Some(1e-6 / gap.eps()))
     }
 
     fn fingerprint(&self) -> String {
@@ -318,4 +315,110 @@ fn a_damaged_table_is_built_again() {
 fn a_folder_that_cannot_be_written_costs_only_the_keeping() {
     let file = tempfile::NamedTempFile::new().unwrap();
     assert!(cached(QUIET, &file.path().join("below")).1);
+}
+
+/// A model with a cut at which its loads jump, as those of lubrication theory do.
+struct Cut(Made);
+
+impl Hydrodynamics for Cut {
+    fn description(&self) -> ModelDescription {
+        ModelDescription {
+            cutoff: Some(1.0),
+            ..self.0.description()
+        }
+    }
+
+    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+        self.0.interacting_loads(gap, set)
+    }
+
+    fn interacting_loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        self.0.interacting_loads_with_swirl(gap, set)
+    }
+
+    fn error_estimate(&self, _: Gap, _: LoadSet) -> Result<Option<f64>, SceneError> {
+        Ok(None)
+    }
+
+    fn fingerprint(&self) -> String {
+        "cut".to_owned()
+    }
+}
+
+#[test]
+fn a_table_keeps_the_cut_of_its_model() {
+    let made = Made {
+        seam: None,
+        noise: 1e-13,
+    };
+    let options = TableOptions {
+        set: LoadSet::all(2),
+        tolerance: 1e-8,
+        smallest_gap: 1e-3,
+    };
+    let table = Tabulated::build(Cut(made), options, &|_| ()).unwrap();
+    assert_eq!(table.cutoff(), Some(1.0));
+    assert!(table.summary().interpolation_error <= 1e-8);
+    let set = LoadSet::all(2);
+    for eps in [2e-3, 0.3, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.5, 2.5, 40.0] {
+        let gap = Gap::new(eps).unwrap();
+        let [found, truth] = [table.loads(gap, set), table.model().loads(gap, set)];
+        let (_, error) = found.unwrap().worst_error(&truth.unwrap());
+        assert!(error < 2e-8, "{eps}: {error}");
+        // A trial step past the cut has the loads of spheres that interact.
+        let found = table.interacting_loads(gap, set).unwrap();
+        let (_, error) = found.worst_error(&table.model().interacting_loads(gap, set).unwrap());
+        assert!(error < 2e-8, "{eps}: {error}");
+        assert_eq!(table.error_estimate(gap, set), Ok(None));
+    }
+}
+
+#[test]
+fn a_table_of_a_model_that_jumps_without_a_seam_says_that_it_missed_its_tolerance() {
+    let jumps = Made {
+        seam: Some(0.37),
+        noise: 1e-13,
+    };
+    struct Unsaid(Made);
+    impl Hydrodynamics for Unsaid {
+        fn description(&self) -> ModelDescription {
+            ModelDescription {
+                seams: Vec::new(),
+                ..self.0.description()
+            }
+        }
+        fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+            self.0.interacting_loads(gap, set)
+        }
+        fn interacting_loads_with_swirl(
+            &self,
+            gap: Gap,
+            set: LoadSet,
+        ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+            self.0.interacting_loads_with_swirl(gap, set)
+        }
+        fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
+            self.0.error_estimate(gap, set)
+        }
+        fn fingerprint(&self) -> String {
+            "jumps".to_owned()
+        }
+    }
+    let options = TableOptions {
+        set: LoadSet::all(2),
+        tolerance: 1e-8,
+        smallest_gap: 1e-3,
+    };
+    let summary = Tabulated::build(Unsaid(jumps), options, &|_| ())
+        .unwrap()
+        .summary();
+    assert!(summary.interpolation_error > 1e-4);
+    assert_eq!(
+        summary.limit,
+        TableLimit::Missed(summary.interpolation_error)
+    );
 }

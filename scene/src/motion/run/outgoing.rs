@@ -3,7 +3,7 @@
 //! The far field goes on turning squirmers long after they have parted, by an amount that falls only as `1/r^2`. The
 //! motion is integrated on to twice the distance again and again; at each the rest of the turn is known in closed form but for
 //! higher orders (`far_turn`). How much the result still changes from one distance to the next tells how far it is
-//! from its limit.
+//! from its limit, or from what the model's own error lets be known of it.
 
 use super::super::far_turn::turned_to_infinity;
 use super::Runner;
@@ -64,6 +64,7 @@ where
         let mut distance = 2.0 * self.now.gap.distance();
         let mut previous = self.now;
         let mut doublings = 0;
+        let mut last_change = f64::INFINITY;
         let outgoing = 'far: loop {
             let step = stepper.step(&mut self.motion, t_end);
             let step = step.map_err(|error| self.failure(error))?;
@@ -81,7 +82,15 @@ where
                 }
                 let next = self.estimate(at);
                 let changed = apart(&reached, &next);
-                reached = next;
+                // A model's own error, such as a mesh that turns lone spheres a little, adds up on the way: once the changes
+                // grow, the estimate before is the best there is.
+                if changed >= last_change && !read_at.is_finite() {
+                    break 'far Outgoing {
+                        configuration: reached,
+                        truncation: last_change,
+                    };
+                }
+                (reached, last_change) = (next, changed);
                 doublings += 1;
                 let known = changed <= KNOWN || doublings == MOST_DOUBLINGS;
                 if known && !read_at.is_finite() {

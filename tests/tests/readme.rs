@@ -1,0 +1,320 @@
+//! Every figure of the README is computed here again, and the README has to say it.
+
+#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
+
+use std::sync::OnceLock;
+
+use compare::maps::{
+    FateRow, Grid, Pair, ScatterRow, bound_rows, fates_of, scatter_row, trust_rows, trust_shares,
+};
+use compare::sweep::{SweepOptions, encounters, offsets};
+use compare::{Approach, Case, Defaults, Encounter, Method, Model, ModelOptions};
+use rayon::prelude::*;
+use scene::{LoadSet, RunOptions};
+
+/// The README without its line breaks.
+fn readme() -> String {
+    include_str!("../../README.md")
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ")
+}
+
+/// Asserts that the README says this.
+fn says(what: &str) {
+    assert!(readme().contains(what), "the README does not say: {what}");
+}
+
+fn set_up(method: Method, tabulated: LoadSet) -> Model {
+    let options = ModelOptions {
+        cache: None,
+        tabulated,
+        ..ModelOptions::default()
+    };
+    Model::set_up(method, &options).unwrap()
+}
+
+fn lubrication() -> &'static Model {
+    static MODEL: OnceLock<Model> = OnceLock::new();
+    MODEL.get_or_init(|| set_up(Method::Lt, LoadSet::planar(2)))
+}
+
+fn exact() -> &'static Model {
+    static MODEL: OnceLock<Model> = OnceLock::new();
+    MODEL.get_or_init(|| set_up(Method::Exact, LoadSet::planar(2)))
+}
+
+fn sweep_options() -> SweepOptions {
+    SweepOptions {
+        run: RunOptions::default(),
+        time_limit: None,
+    }
+}
+
+fn paper_cases() -> Vec<Case> {
+    let defaults = Defaults::paper().unwrap();
+    let of = |approach| {
+        let lists = defaults.encounters(approach);
+        let one = |beta: f64, dx: f64| Case {
+            approach,
+            beta,
+            dx,
+            dz: 0.0,
+        };
+        (lists.beta.iter())
+            .flat_map(|&beta| lists.dx.iter().map(move |&dx| one(beta, dx)))
+            .collect::<Vec<_>>()
+    };
+    [of(Approach::HeadOn), of(Approach::Orthogonal)].concat()
+}
+
+fn all_encounters() -> &'static [Encounter] {
+    static ALL: OnceLock<Vec<Encounter>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let planar = LoadSet::planar(2);
+        let models = [Method::Lt, Method::LtCorrected, Method::Bem, Method::Exact]
+            .map(|method| set_up(method, planar));
+        encounters(&models, &paper_cases(), &sweep_options())
+    })
+}
+
+fn encounter(case: &Case, method: Method) -> &'static Encounter {
+    (all_encounters().iter())
+        .find(|e| e.case == *case && e.method == method)
+        .unwrap()
+}
+
+/// Deflections in degrees.
+fn deflections(case: &Case, method: Method) -> [f64; 2] {
+    let run = encounter(case, method).run.as_ref().unwrap();
+    run.deflections().map(f64::to_degrees)
+}
+
+fn case(approach: Approach, beta: f64, dx: f64) -> Case {
+    Case {
+        approach,
+        beta,
+        dx,
+        dz: 0.0,
+    }
+}
+
+#[test]
+fn readme_table_of_deflections() {
+    for (approach, beta, dx) in [
+        (Approach::HeadOn, 5.0, 1.0),
+        (Approach::HeadOn, 5.0, 2.0),
+        (Approach::HeadOn, 5.0, 3.0),
+        (Approach::Orthogonal, -1.0, 1.0),
+        (Approach::Orthogonal, 1.0, 1.0),
+        (Approach::Orthogonal, 5.0, 1.0),
+    ] {
+        let case = case(approach, beta, dx);
+        let name = match approach {
+            Approach::HeadOn => "opposed",
+            Approach::Orthogonal => "right angles",
+        };
+        let cells = [Method::Lt, Method::LtCorrected, Method::Bem, Method::Exact].map(|method| {
+            let encounter = encounter(&case, method);
+            let angle = deflections(&case, method)[0];
+            match (encounter.scattered(), angle.abs() < 5e-4) {
+                (false, _) => "bound".to_owned(),
+                (true, true) => "0".to_owned(),
+                (true, false) => format!("{angle:.3}"),
+            }
+        });
+        says(&format!(
+            "| {name}, β = {beta}, δx = {dx} | {} |",
+            cells.join(" | ")
+        ));
+    }
+}
+
+#[test]
+fn readme_boundary_elements_against_the_exact_series() {
+    let worst = (paper_cases().iter())
+        .flat_map(|case| {
+            let [a, b] = [Method::Bem, Method::Exact].map(|m| deflections(case, m));
+            [0, 1].map(|k| (a[k] - b[k]).abs())
+        })
+        .fold(0.0, f64::max);
+    says(&format!(
+        "within {worst:.3}° in every encounter of Figs 6 and 7"
+    ));
+}
+
+#[test]
+fn readme_lubrication_theory_is_a_caricature() {
+    let of = |approach, beta, dx, method| deflections(&case(approach, beta, dx), method);
+    let ratio = |dx: f64, method| {
+        of(Approach::HeadOn, 5.0, dx, method)[0] / of(Approach::HeadOn, 5.0, dx, Method::Exact)[0]
+    };
+    let ratios: Vec<f64> = [1.0, 2.0]
+        .into_iter()
+        .flat_map(|dx| [Method::Lt, Method::LtCorrected].map(|method| ratio(dx, method)))
+        .collect();
+    let (least, most) = ends(&ratios);
+    says(&format!("by {least:.1} to {most:.1} times too much"));
+    for dx in [3.0, 5.0, 10.0] {
+        assert!(of(Approach::HeadOn, 5.0, dx, Method::Lt)[0].abs() < 1e-9);
+    }
+    says("not at all from δx = 3 on");
+    let off: Vec<f64> = [-1.0, 1.0]
+        .into_iter()
+        .flat_map(|beta| {
+            let [a, b] =
+                [Method::Lt, Method::Exact].map(|m| of(Approach::Orthogonal, beta, 1.0, m));
+            [0, 1].map(|k| (a[k] - b[k]).abs())
+        })
+        .collect();
+    let (least, most) = ends(&off);
+    says(&format!(
+        "{least:.0}° to {most:.0}° off at δx = 1 for β = ±1"
+    ));
+    for (beta, dx) in [(1.0, 2.0), (1.0, 3.0), (-1.0, 3.0)] {
+        let [a, b] = [Method::Lt, Method::Exact].map(|m| of(Approach::Orthogonal, beta, dx, m)[0]);
+        assert!(a * b < 0.0, "beta {beta}, dx {dx}: {a} and {b}");
+    }
+    says("the wrong sign for the first squirmer at δx = 2 (β = 1) and 3 (both)");
+    for dx in [1.0, 2.0] {
+        let case = case(Approach::Orthogonal, 5.0, dx);
+        assert!(!encounter(&case, Method::Lt).scattered());
+        assert!(encounter(&case, Method::Exact).scattered());
+    }
+    says("binds strong pullers (β = 5, δx = 1 and 2) that full hydrodynamics parts");
+}
+
+fn ends(values: &[f64]) -> (f64, f64) {
+    values
+        .iter()
+        .fold((f64::INFINITY, 0.0), |(least, most), v| {
+            (least.min(*v), most.max(*v))
+        })
+}
+
+/// A map over the incoming angles.
+fn map(model: &Model, beta: f64, points: usize) -> Vec<ScatterRow> {
+    let pair = Pair {
+        beta,
+        g: 0.0,
+        dz: 0.0,
+    };
+    let values = Grid::new(points).unwrap().values();
+    let starts: Vec<_> = (values.iter())
+        .flat_map(|&sigma| values.iter().map(move |&delta| (delta, sigma)))
+        .collect();
+    (starts.into_par_iter())
+        .map(|at| scatter_row(model, pair, at, &RunOptions::default()))
+        .collect()
+}
+
+/// Points a side of the maps of outcomes.
+const MAP: usize = 60;
+
+fn fates(model: &Model, beta: f64) -> FateRow {
+    let pair = Pair {
+        beta,
+        g: 0.0,
+        dz: 0.0,
+    };
+    let grid = Grid::new(MAP).unwrap();
+    fates_of(&[model], &[pair], grid, &map(model, beta, MAP)).remove(0)
+}
+
+#[test]
+fn readme_which_pairs_stay_bound() {
+    let [pullers, pushers] = [5.0, -5.0].map(|beta| fates(lubrication(), beta));
+    says(&format!(
+        "lubrication theory binds {:.0} % of the pullers with β = 5 (swimming side by side) and {:.0} % of the \
+         pushers with β = -5 (orbiting)",
+        100.0 * pullers.pairwise,
+        100.0 * pushers.orbits()
+    ));
+    let [pullers, pushers] = [5.0, -5.0].map(|beta| fates(exact(), beta));
+    assert!(
+        (pullers.bound() - pullers.orbits()).abs() < 0.005,
+        "{pullers:?}"
+    );
+    assert!(pushers.bound() < 0.001, "{pushers:?}");
+    says(&format!(
+        "Full hydrodynamics binds {:.0} % of the pullers, all of them orbiting, and none of the pushers",
+        100.0 * pullers.orbits()
+    ));
+    let weak = fates(exact(), 1.0);
+    let states = bound_rows(&[exact()], &[1.0, -1.0]).unwrap();
+    let found = |beta: f64, attracts: bool| {
+        (states.iter())
+            .find(|s| {
+                (s.beta - beta).abs() < 1e-12
+                    && s.outcome == "pairwise"
+                    && (s.growth < 0.0) == attracts
+                    && !s.one_of_a_line
+            })
+            .unwrap_or_else(|| panic!("{states:?}"))
+    };
+    let state = found(1.0, true);
+    says(&format!("side by side at a gap of {:.3}", state.gap));
+    says(&format!("decay at the rate {:.2} V_s/a", -state.growth));
+    says(&format!(
+        "takes in {:.0} % of the incoming angles",
+        100.0 * weak.bound()
+    ));
+    let image = found(-1.0, false);
+    assert!((image.gap - state.gap).abs() < 1e-6, "{image:?}");
+    says("Its mirror image in time, at β = -1, repels");
+}
+
+#[test]
+fn readme_where_lubrication_theory_can_be_trusted() {
+    let shares = |beta: f64| {
+        let pair = Pair {
+            beta,
+            g: 0.0,
+            dz: 0.0,
+        };
+        let [judged, referee] = [lubrication(), exact()].map(|model| map(model, beta, 30));
+        trust_shares(&trust_rows(&judged, &referee, pair)).remove(0)
+    };
+    let within_15 = |beta: f64| {
+        let shares = shares(beta);
+        100.0 * (shares.within_5_deg + shares.within_15_deg)
+    };
+    let neutral = shares(0.0);
+    says(&format!(
+        "over {:.0} % of the incoming angles for β = 0 both outgoing directions are within 5°, over {:.0} % within 15°",
+        100.0 * neutral.within_5_deg,
+        within_15(0.0)
+    ));
+    let (least, most) = ends(&[1.0, -1.0].map(within_15));
+    says(&format!(
+        "for β = ±1 over {least:.0} to {most:.0} % within 15°"
+    ));
+    let (least, most) = ends(&[5.0, -5.0].map(within_15));
+    let [puller, pusher] = [5.0, -5.0].map(|beta| 100.0 * shares(beta).other_outcome);
+    says(&format!(
+        "for β = 5 and -5 over {least:.0} to {most:.0} %, and {puller:.0} % and {pusher:.0} % end otherwise altogether"
+    ));
+}
+
+#[test]
+fn readme_an_offset_out_of_the_plane() {
+    let defaults = Defaults::paper().unwrap().offset;
+    let model = set_up(Method::Exact, LoadSet::all(2));
+    let (rows, _) = offsets(&[model], &defaults.cases(), &[0.1, 0.5], &sweep_options());
+    let most = |approach: &str, strong: bool, dz: f64| {
+        (rows.iter())
+            .filter(|r| r.case == approach && (r.dz - dz).abs() < 1e-9)
+            .filter(|r| (r.beta > 1.0) == strong)
+            .map(|r| r.change1_deg.max(r.change2_deg))
+            .fold(0.0, f64::max)
+    };
+    says(&format!(
+        "by up to {:.0}° in opposed encounters and {:.0}° at right angles for β = ±1",
+        most("head-on", true, 0.5),
+        most("orthogonal", false, 0.5)
+    ));
+    says(&format!(
+        "0.1 radii change the outgoing direction by {:.0}°",
+        most("orthogonal", true, 0.1)
+    ));
+}
