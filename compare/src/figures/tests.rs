@@ -25,7 +25,7 @@ fn encounter(approach: Approach, beta: f64, dx: f64, method: Method) -> Encounte
     Encounter {
         case,
         method,
-        run: run.map_err(|error| error.to_string()),
+        run: run.map_err(|error| crate::NoRun::Failed(error.to_string())),
         seconds: 0.0,
     }
 }
