@@ -291,7 +291,7 @@ impl KeptRows<'_> {
             }
             Ok(())
         };
-        if left > 0 && self.holds_more(&file, chunks - left) {
+        if left > 0 && self.holds_more(&file, &journal, chunks)? {
             fill(&mut std::io::sink())?;
             complain!("'{file}' holds more of a sweep already and stays as it is");
         } else {
@@ -300,7 +300,7 @@ impl KeptRows<'_> {
         let left_out = (0..chunks)
             .filter(|&chunk| !journal.has(chunk))
             .flat_map(of);
-        for encounter in left_out.take(REASONS).flat_map(|unit| skipped(unit)) {
+        for encounter in left_out.flat_map(|unit| skipped(unit)).take(REASONS) {
             complain!("{}", failure(&encounter, &NoRun::Skipped));
         }
         self.tell(&counts, reasons);
@@ -310,11 +310,21 @@ impl KeptRows<'_> {
         Ok(left == 0)
     }
 
-    /// Whether the file `name` is there already, and is not an unfinished one with fewer finished rows.
-    fn holds_more(&self, name: &str, finished: usize) -> bool {
+    /// Whether the file `name` is there already, and is not an unfinished one with no more finished rows than the
+    /// journal has.
+    fn holds_more(
+        &self,
+        name: &str,
+        journal: &Journal,
+        chunks: usize,
+    ) -> Result<bool, CompareError> {
         let Ok(mut reader) = csv::Reader::from_path(self.out.path().join(name)) else {
-            return false;
+            return Ok(false);
         };
+        let mut finished = 0;
+        for chunk in 0..chunks {
+            finished += (journal.lines(chunk)?).map_or(0, |lines| lines.lines().count());
+        }
         let (mut done, mut skipped) = (0, 0);
         for record in reader.records() {
             match record {
@@ -323,7 +333,7 @@ impl KeptRows<'_> {
                 Err(_) => {}
             }
         }
-        done > finished || (skipped == 0 && done > 0)
+        Ok(done > finished || (skipped == 0 && done > 0))
     }
 
     /// Says what has no result, on standard error and in the account.

@@ -206,17 +206,17 @@ fn a_run_that_fails_has_a_row_and_the_exit_status_says_so() {
         )
     };
     for approach in ["head-on", "orthogonal"] {
-        let (status, message) = sweep(approach, &["--beta", "1e9,1", "--dx", "1"]);
+        let (status, message) = sweep(approach, &["--beta", "1e150,1", "--dx", "1"]);
         assert_eq!(status, Some(1), "{message}");
         assert!(message.contains("1 of the runs failed"), "{message}");
         let rows = rows(&folder.path().join(format!("{approach}.csv")));
         let outcomes: Vec<_> = rows.iter().map(|row| row[8].to_owned()).collect();
         assert_eq!(outcomes, ["failed", "scattered"]);
     }
-    let (status, message) = sweep("scatter", &["--beta", "1e9", "--grid", "2"]);
+    let (status, message) = sweep("scatter", &["--beta", "1e150", "--grid", "2"]);
     assert_eq!(status, Some(1), "{message}");
     assert!(folder.path().join("scatter.csv").exists());
-    let (status, message) = sweep("fates", &["--beta", "1e9", "--grid", "2"]);
+    let (status, message) = sweep("fates", &["--beta", "1e150", "--grid", "2"]);
     assert_eq!(status, Some(1), "{message}");
 }
 

@@ -17,7 +17,7 @@ use crate::streams::say;
 use crate::sweep::SweepOptions;
 use crate::{
     Approach, Case, CompareError, Defaults, Encounter, EncounterRow, Method, Model, ModelOptions,
-    NoRun, OffsetRow,
+    NoRun,
 };
 use crate::{full_report, pictures, sweep};
 
