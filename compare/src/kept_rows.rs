@@ -300,7 +300,7 @@ impl KeptRows<'_> {
         let left_out = (0..chunks)
             .filter(|&chunk| !journal.has(chunk))
             .flat_map(of);
-        for encounter in left_out.flat_map(|unit| skipped(unit)).take(REASONS) {
+        for encounter in left_out.flat_map(skipped).take(REASONS) {
             complain!("{}", failure(&encounter, &NoRun::Skipped));
         }
         self.tell(&counts, reasons);
