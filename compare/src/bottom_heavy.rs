@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::maps::Pair;
 use crate::sweep::SweepOptions;
-use crate::{Method, Model};
+use crate::{Method, Model, NoRun};
 
 /// Time between the rows of a trajectory, in `a/V_s`.
 const SAMPLE_INTERVAL: f64 = 0.2;
@@ -49,7 +49,7 @@ pub struct PanelRun {
     /// The method.
     pub method: Method,
     /// The run to its end, with samples, or the one line that says why there is none.
-    pub run: Result<Run, String>,
+    pub run: Result<Run, NoRun>,
 }
 
 /// One line of `bottom_heavy.csv`: lengths in radii, time in `a/V_s`, angles anticlockwise from the x
@@ -84,7 +84,7 @@ pub struct PanelRow {
     pub delta: f64,
     /// Sum of the initial angles over pi.
     pub sigma: f64,
-    /// Outcome at the end of the run, or `failed`.
+    /// Outcome at the end of the run, `failed` or `skipped`.
     pub outcome: String,
     /// Smallest gap, in radii.
     pub min_gap: f64,
@@ -138,7 +138,10 @@ impl PanelRun {
             g,
             delta,
             sigma,
-            outcome: run.map_or("failed".to_owned(), |run| run.outcome.to_string()),
+            outcome: match &self.run {
+                Ok(run) => run.outcome.to_string(),
+                Err(none) => none.outcome().to_owned(),
+            },
             min_gap: run.map_or(f64::NAN, |run| run.min_gap),
             depth_ratio: run.map_or(f64::NAN, |run| depth_ratio(run, g)),
         }
@@ -164,11 +167,11 @@ pub fn panel_runs(
         .map(|(model, panel)| {
             let late = (options.time_limit).is_some_and(|limit| started.elapsed() >= limit);
             let run = if late {
-                Err("skipped: the time limit was reached".to_owned())
+                Err(NoRun::Skipped)
             } else {
                 (panel.scene())
                     .and_then(|scene| model.run(&scene, &run_options))
-                    .map_err(|error| error.to_string())
+                    .map_err(|error| NoRun::Failed(error.to_string()))
             };
             PanelRun {
                 case: panel.clone(),

@@ -1,7 +1,8 @@
 //! Encounters run by each method: one row of numbers each, and the trajectories behind them.
 
 use scene::{Outcome, Run};
-use serde::Serialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::{Case, Method};
 
@@ -13,17 +14,56 @@ pub struct Encounter {
     /// The method.
     pub method: Method,
     /// The run with its samples, or the one line that says why there is none.
-    pub run: Result<Run, String>,
+    pub run: Result<Run, NoRun>,
     /// Wall-clock time of the run alone, without building tables, in seconds.
     pub seconds: f64,
 }
 
+/// Why there is no run.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NoRun {
+    /// It was not begun.
+    #[error("skipped: the time limit was reached")]
+    Skipped,
+    /// It failed, for the reason given in one line.
+    #[error("{0}")]
+    Failed(String),
+}
+
+impl NoRun {
+    /// What stands in the column of outcomes.
+    #[must_use]
+    pub fn outcome(&self) -> &'static str {
+        match self {
+            Self::Skipped => SKIPPED,
+            Self::Failed(_) => FAILED,
+        }
+    }
+}
+
+/// Outcome of a run that was not begun.
+pub(crate) const SKIPPED: &str = "skipped";
+
+/// Outcome of a run that failed.
+pub(crate) const FAILED: &str = "failed";
+
+/// Name of a method. An alias, since serde would borrow a field of type `&str` from what it reads.
+type MethodName = &'static str;
+
+fn method_name<'de, D: Deserializer<'de>>(from: D) -> Result<MethodName, D::Error> {
+    let name = String::deserialize(from)?;
+    let method = Method::ALL.into_iter().find(|method| method.name() == name);
+    let method = method.ok_or_else(|| D::Error::custom(format!("'{name}' is not a method")))?;
+    Ok(method.name())
+}
+
 /// One line of `head-on.csv` and `orthogonal.csv`. Angles in degrees, anticlockwise positive;
 /// lengths in radii; times in `a/V_s`, but for `seconds`. A run that failed has NaN.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EncounterRow {
     /// Name of the method.
-    pub method: &'static str,
+    #[serde(deserialize_with = "method_name")]
+    pub method: MethodName,
     /// Squirmer parameter.
     pub beta: f64,
     /// Offset of the paths.
@@ -40,7 +80,7 @@ pub struct EncounterRow {
     pub min_gap: f64,
     /// Time spent at gaps up to 1 (the paper's tau).
     pub duration: f64,
-    /// Outcome, or `failed`.
+    /// Outcome, `failed`, or `skipped` where the time limit came first.
     pub outcome: String,
     /// Accepted steps of the integrator.
     pub steps: u64,
@@ -74,10 +114,13 @@ impl Encounter {
         }
     }
 
-    /// Name of the outcome, or `failed`.
+    /// Name of the outcome, `failed` or `skipped`.
     #[must_use]
     pub fn outcome(&self) -> String {
-        (self.run.as_ref()).map_or("failed".to_owned(), |run| run.outcome.to_string())
+        match &self.run {
+            Ok(run) => run.outcome.to_string(),
+            Err(none) => none.outcome().to_owned(),
+        }
     }
 
     /// Whether the pair parted, so that its outgoing angles mean something.
@@ -90,12 +133,13 @@ impl Encounter {
 /// One line of `offset.csv`: change of the outgoing orientation by an offset out of the plane, the
 /// angle between the outgoing orientations with and without it, in degrees. Outgoing is at infinity where the pair
 /// parts, at the end of the run where it is bound.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct OffsetRow {
     /// Name of the approach.
     pub case: String,
     /// Name of the method.
-    pub method: &'static str,
+    #[serde(deserialize_with = "method_name")]
+    pub method: MethodName,
     /// Squirmer parameter.
     pub beta: f64,
     /// Offset of the paths, in radii.
@@ -108,7 +152,7 @@ pub struct OffsetRow {
     pub change2_deg: f64,
     /// Smallest gap, in radii.
     pub min_gap: f64,
-    /// Outcome with the offset, or `failed`.
+    /// Outcome with the offset, `failed` or `skipped`.
     pub outcome: String,
     /// Outcome without it.
     pub outcome_in_plane: String,

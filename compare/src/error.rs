@@ -4,6 +4,9 @@ use std::path::PathBuf;
 
 use scene::SceneError;
 
+/// Exit status of a command that the time limit stopped: that for failures which go away when one tries again.
+const STOPPED: u8 = 75;
+
 /// Everything that a command can refuse or fail at, each one line.
 #[derive(Debug, thiserror::Error)]
 pub enum CompareError {
@@ -24,6 +27,37 @@ pub enum CompareError {
         path: PathBuf,
         /// The system's reason.
         source: std::io::Error,
+    },
+    /// Another process writes into the output folder.
+    #[error(
+        "another run writes into '{path}': wait until it is done, or give another folder by --out"
+    )]
+    Busy {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// What an interrupted command has left would be lost.
+    #[error(
+        "'{path}' keeps {chunks} finished pieces of another sweep, interrupted: go on with its own command, give \
+         another folder by --out, or throw it away by --fresh"
+    )]
+    OtherSweep {
+        /// The file.
+        path: PathBuf,
+        /// Finished pieces in it.
+        chunks: usize,
+    },
+    /// Runs without a result; everything else is written.
+    #[error("{failed} of the runs failed")]
+    RunsFailed {
+        /// Runs that failed.
+        failed: usize,
+    },
+    /// Runs were left out at the time limit.
+    #[error("stopped by --time-limit: {skipped} of the runs or lines are left out")]
+    Stopped {
+        /// Runs, or lines of a map, that were left out.
+        skipped: usize,
     },
     /// A scene file cannot be read.
     #[error("cannot read '{path}': {source}")]
@@ -83,7 +117,8 @@ impl CompareError {
         }
     }
 
-    /// Exit status of the command: 2 for bad input, 1 for a failure of the computation.
+    /// Exit status of the command: 2 for bad input or a bad output place, 75 where the time limit stopped it, 1
+    /// for a failure of the computation.
     #[must_use]
     pub fn exit_status(&self) -> u8 {
         match self {
@@ -91,13 +126,17 @@ impl CompareError {
             | Self::Read { .. }
             | Self::SceneFile { .. }
             | Self::Write { .. }
+            | Self::Busy { .. }
+            | Self::OtherSweep { .. }
             | Self::Bem(_) => 2,
+            Self::Stopped { .. } => STOPPED,
             Self::Scene(SceneError::Stepper { .. } | SceneError::Model { .. }) => 1,
             Self::Scene(_) => 2,
             Self::Rows(_)
             | Self::Json(_)
             | Self::Figure(_)
             | Self::Cases(_)
+            | Self::RunsFailed { .. }
             | Self::BoundsBroken { .. } => 1,
         }
     }

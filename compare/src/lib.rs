@@ -1,5 +1,6 @@
 //! Compares hydrodynamic models of two squirmers on the paper's encounters.
 
+mod account;
 pub mod bottom_heavy;
 mod case;
 pub mod cli;
@@ -12,6 +13,7 @@ mod error;
 pub mod figures;
 mod full_report;
 pub mod hard_cases;
+mod kept_rows;
 mod load_errors;
 pub mod maps;
 mod method;
@@ -30,7 +32,7 @@ pub mod sweep;
 pub use case::{Approach, Case};
 pub use comparison::{ComparisonRow, comparison};
 pub use defaults::{Defaults, EncounterDefaults, OffsetDefaults};
-pub use encounter::{Encounter, EncounterRow, OffsetRow};
+pub use encounter::{Encounter, EncounterRow, NoRun, OffsetRow};
 pub use error::CompareError;
 pub use load_errors::{LoadErrorRow, load_errors};
 pub use method::Method;

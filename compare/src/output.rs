@@ -1,55 +1,159 @@
 //! Files: written aside and renamed, so that nothing is ever half-written.
 
-use std::io::Write;
+use std::collections::HashSet;
+use std::fs::{File, TryLockError};
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use serde::Serialize;
+use serde::de::DeserializeOwned;
 use tempfile::NamedTempFile;
 
 use crate::CompareError;
+use crate::account::Account;
+use crate::streams::complain;
 
-/// The folder that a command writes into.
+/// The folder that a command writes into, which is its own for as long as it runs.
 #[derive(Clone, Debug)]
-pub struct OutputFolder(PathBuf);
+pub struct OutputFolder {
+    path: PathBuf,
+    /// The folder itself, locked; the system lets go of it when the process ends, however it ends.
+    _lock: Option<Arc<File>>,
+    fresh: bool,
+    account: Arc<Account>,
+    /// Part files that this command goes on with.
+    parts: Arc<Mutex<HashSet<String>>>,
+}
+
+/// Who else may write into a folder meanwhile.
+#[derive(Clone, Copy, PartialEq)]
+enum Others {
+    /// Nobody.
+    None,
+    /// Commands that write whole files and read none.
+    Alike,
+}
 
 impl OutputFolder {
-    /// Creates the folder if need be and makes sure that it can be written to.
+    /// Creates the folder if need be, makes sure that it can be written to, and keeps other commands off it.
     ///
     /// # Errors
-    /// [`CompareError::Write`] if it cannot.
+    /// [`CompareError::Write`] if it cannot; [`CompareError::Busy`] if another process writes there.
     pub fn open(path: &Path) -> Result<Self, CompareError> {
+        Self::claim(path, Others::None)
+    }
+
+    /// As [`Self::open`], for a command that only writes whole files: several of these may run at once.
+    pub(crate) fn open_beside_others(path: &Path) -> Result<Self, CompareError> {
+        Self::claim(path, Others::Alike)
+    }
+
+    fn claim(path: &Path, others: Others) -> Result<Self, CompareError> {
         let failed = |source| CompareError::Write {
             path: path.to_owned(),
             source,
         };
         std::fs::create_dir_all(path).map_err(failed)?;
+        let lock = lock(path, others)?;
         NamedTempFile::new_in(path).map_err(failed)?;
-        Ok(Self(path.to_owned()))
+        Ok(Self {
+            path: path.to_owned(),
+            _lock: lock.map(Arc::new),
+            fresh: false,
+            account: Arc::default(),
+            parts: Arc::default(),
+        })
+    }
+
+    /// With or without leave to throw away what an interrupted command has left in it.
+    pub(crate) fn fresh(self, fresh: bool) -> Self {
+        Self { fresh, ..self }
+    }
+
+    /// Whether what an interrupted command has left may be thrown away.
+    pub(crate) fn is_fresh(&self) -> bool {
+        self.fresh
+    }
+
+    /// What the command has run so far, and what of it has no result.
+    pub(crate) fn account(&self) -> &Account {
+        &self.account
+    }
+
+    /// The part file `name` is this command's from now on.
+    pub(crate) fn takes(&self, part: String) {
+        let mut parts = self.parts.lock().unwrap_or_else(PoisonError::into_inner);
+        parts.insert(part);
     }
 
     /// Text of the file `name`, if an earlier command left it here.
     #[must_use]
     pub fn read(&self, name: &str) -> Option<String> {
-        std::fs::read_to_string(self.0.join(name)).ok()
+        std::fs::read_to_string(self.path.join(name)).ok()
     }
 
     /// Where it is.
     pub(crate) fn path(&self) -> &Path {
-        &self.0
+        &self.path
     }
 
-    /// Writes `text` to the file `name`.
+    /// Whether an earlier command left the file `name` here.
+    pub(crate) fn holds(&self, name: &str) -> bool {
+        self.path.join(name).exists()
+    }
+
+    /// Takes away the file `name` of an earlier command, if there is one, and says so.
+    pub(crate) fn remove(&self, name: &str) -> Result<(), CompareError> {
+        if self.holds(name) {
+            let removed = std::fs::remove_file(self.path.join(name));
+            removed.map_err(|source| self.failed(name, source))?;
+            complain!(
+                "'{name}' of an earlier command is taken away: it would not fit what is here now"
+            );
+        }
+        Ok(())
+    }
+
+    /// Writes `text` to the file `name`, which is whole now: the part file of its sweep goes, if this command has one.
     ///
     /// # Errors
     /// [`CompareError::Write`].
     pub fn write(&self, name: &str, text: &str) -> Result<PathBuf, CompareError> {
-        let path = self.0.join(name);
-        let failed = |source| CompareError::Write {
-            path: path.clone(),
-            source,
-        };
-        let mut file = NamedTempFile::new_in(&self.0).map_err(failed)?;
-        file.write_all(text.as_bytes()).map_err(failed)?;
+        let path = self.write_by(name, |file| {
+            let written = file.write_all(text.as_bytes());
+            written.map_err(|source| self.failed(name, source))
+        })?;
+        let part = part_of(name);
+        let mut parts = self.parts.lock().unwrap_or_else(PoisonError::into_inner);
+        if parts.remove(&part) && self.holds(&part) {
+            let removed = std::fs::remove_file(self.path.join(&part));
+            removed.map_err(|source| self.failed(&part, source))?;
+        }
+        Ok(path)
+    }
+
+    /// Writes to the file `name` what `fill` writes, piece by piece.
+    pub(crate) fn write_by(
+        &self,
+        name: &str,
+        fill: impl FnOnce(&mut dyn Write) -> Result<(), CompareError>,
+    ) -> Result<PathBuf, CompareError> {
+        let failed = |source| self.failed(name, source);
+        let mut file = BufWriter::new(self.aside(name)?);
+        fill(&mut file)?;
+        let file = file
+            .into_inner()
+            .map_err(|error| failed(error.into_error()))?;
+        let path = self.path.join(name);
+        file.persist(&path).map_err(|error| failed(error.error))?;
+        Ok(path)
+    }
+
+    /// A file that is to become the file `name`, and goes if it does not.
+    pub(crate) fn aside(&self, name: &str) -> Result<NamedTempFile, CompareError> {
+        let failed = |source| self.failed(name, source);
+        let file = NamedTempFile::new_in(&self.path).map_err(failed)?;
         // Temporary files are private; results are for everybody whom the folder lets in.
         #[cfg(unix)]
         {
@@ -57,8 +161,36 @@ impl OutputFolder {
             let open = std::fs::Permissions::from_mode(0o644);
             file.as_file().set_permissions(open).map_err(failed)?;
         }
-        file.persist(&path).map_err(|error| failed(error.error))?;
-        Ok(path)
+        Ok(file)
+    }
+
+    /// That the file `name` cannot be written.
+    pub(crate) fn failed(&self, name: &str, source: std::io::Error) -> CompareError {
+        let path = self.path.join(name);
+        CompareError::Write { path, source }
+    }
+}
+
+/// Name of the file in which the sweep behind the file `name` is kept until it is done.
+pub(crate) fn part_of(name: &str) -> String {
+    format!("{name}.part")
+}
+
+/// Locks a folder; none where the system can't open folders or the file system has no locks.
+fn lock(path: &Path, others: Others) -> Result<Option<File>, CompareError> {
+    let Ok(folder) = File::open(path) else {
+        return Ok(None);
+    };
+    let locked = match others {
+        Others::None => folder.try_lock(),
+        Others::Alike => folder.try_lock_shared(),
+    };
+    match locked {
+        Ok(()) => Ok(Some(folder)),
+        Err(TryLockError::WouldBlock) => Err(CompareError::Busy {
+            path: path.to_owned(),
+        }),
+        Err(TryLockError::Error(_)) => Ok(None),
     }
 }
 
@@ -75,4 +207,27 @@ pub fn csv_text<T: Serialize>(rows: &[T]) -> Result<String, CompareError> {
         .into_inner()
         .map_err(|error| csv::Error::from(error.into_error()))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// Rows as CSV lines without a header.
+pub(crate) fn csv_lines<T: Serialize>(rows: &[T]) -> Result<String, CompareError> {
+    let mut writer = csv::WriterBuilder::new()
+        .has_headers(false)
+        .from_writer(Vec::new());
+    for row in rows {
+        writer.serialize(row)?;
+    }
+    let bytes = (writer.into_inner()).map_err(|error| csv::Error::from(error.into_error()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// Rows from CSV lines without a header.
+pub(crate) fn rows_of<T: DeserializeOwned>(lines: &str) -> Result<Vec<T>, CompareError> {
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .from_reader(lines.as_bytes());
+    reader
+        .deserialize()
+        .map(|row| row.map_err(CompareError::from))
+        .collect()
 }

@@ -154,11 +154,42 @@ impl Summary {
     }
 }
 
+/// Files of a run that has ended, and what the names of those of an earlier run end with until then.
+const FILES: [&str; 3] = [FILE, "run.json", "run.svg"];
+const EARLIER: &str = ".earlier";
+
+/// Gives the files of an earlier run other names, so that they are not taken for those of a run that fails.
+fn set_aside(out: &OutputFolder) -> Result<(), CompareError> {
+    for file in FILES {
+        if out.holds(file) {
+            let to = out.path().join(format!("{file}{EARLIER}"));
+            let renamed = std::fs::rename(out.path().join(file), to);
+            renamed.map_err(|source| out.failed(file, source))?;
+        }
+    }
+    Ok(())
+}
+
+/// The files of an earlier run that a run which failed has not replaced.
+pub(crate) fn earlier(out: &OutputFolder) -> Vec<String> {
+    let names = FILES.iter().map(|file| format!("{file}{EARLIER}"));
+    names.filter(|name| out.holds(name)).collect()
+}
+
+/// Takes away the files of an earlier run: those of this one are all there.
+pub(crate) fn forget_earlier(out: &OutputFolder) -> Result<(), CompareError> {
+    for name in earlier(out) {
+        let removed = std::fs::remove_file(out.path().join(&name));
+        removed.map_err(|source| out.failed(&name, source))?;
+    }
+    Ok(())
+}
+
 /// Runs a plan, writing its samples to `run.csv` of `out` as they come; returns them too.
 ///
 /// # Errors
 /// [`CompareError`] if the run fails or a file cannot be written; finished rows stay in
-/// `run.csv.partial`.
+/// `run.csv.partial`, and files of an earlier run end with `.earlier`.
 pub fn stream(
     model: &Model,
     plan: &Plan,
@@ -170,6 +201,7 @@ pub fn stream(
         path: partial.clone(),
         source,
     };
+    set_aside(out)?;
     let mut writer =
         csv::Writer::from_writer(BufWriter::new(File::create(&partial).map_err(failed)?));
     let mut rows = Vec::new();
@@ -181,7 +213,10 @@ pub fn stream(
             written = writer.serialize(row).and_then(|()| Ok(writer.flush()?));
         }
     })?;
-    written?;
+    written.map_err(|error: csv::Error| match error.into_kind() {
+        csv::ErrorKind::Io(source) => failed(source),
+        other => failed(std::io::Error::other(format!("{other:?}"))),
+    })?;
     let file = writer
         .into_inner()
         .map_err(|error| failed(error.into_error()))?;

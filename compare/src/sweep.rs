@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use scene::RunOptions;
 
 use crate::progress::Progress;
-use crate::{Case, Encounter, Model, OffsetRow};
+use crate::{Case, Encounter, Model, NoRun, OffsetRow};
 
 /// How a sweep runs.
 #[derive(Clone, Copy, Debug)]
@@ -43,22 +43,22 @@ pub fn encounters(models: &[Model], cases: &[Case], options: &SweepOptions) -> V
     encounters
 }
 
-fn skipped(model: &Model, case: &Case) -> Encounter {
+pub(crate) fn skipped(model: &Model, case: &Case) -> Encounter {
     Encounter {
         case: *case,
         method: model.method(),
-        run: Err("skipped: the time limit was reached".to_owned()),
+        run: Err(NoRun::Skipped),
         seconds: 0.0,
     }
 }
 
-fn encounter(model: &Model, case: &Case, options: &RunOptions) -> Encounter {
+pub(crate) fn encounter(model: &Model, case: &Case, options: &RunOptions) -> Encounter {
     let started = Instant::now();
     let run = (case.scene()).and_then(|scene| model.run(&scene, options));
     Encounter {
         case: *case,
         method: model.method(),
-        run: run.map_err(|error| error.to_string()),
+        run: run.map_err(|error| NoRun::Failed(error.to_string())),
         seconds: started.elapsed().as_secs_f64(),
     }
 }
@@ -93,7 +93,7 @@ pub fn with_offsets(cases: &[Case], dz: &[f64]) -> Vec<Case> {
         .collect()
 }
 
-fn offset_row(reference: &Encounter, offset: &Encounter) -> OffsetRow {
+pub(crate) fn offset_row(reference: &Encounter, offset: &Encounter) -> OffsetRow {
     let change = |k: usize| match (&reference.run, &offset.run) {
         (Ok(a), Ok(b)) if a.has_outgoing_angles() && b.has_outgoing_angles() => {
             let [a, b] = [a, b].map(|run| run.outgoing.orientations[k]);

@@ -32,7 +32,9 @@ const MAP: [&str; 7] = [
 fn map(out: &Path, command: &str, threads: &str, more: &[&str]) -> Output {
     let arguments = [&[command][..], &MAP, &[threads], more].concat();
     let output = squirmers(out, &arguments);
-    assert!(output.status.success(), "{output:?}");
+    let stopped = more.contains(&"--time-limit");
+    let status = if stopped { 75 } else { 0 };
+    assert_eq!(output.status.code(), Some(status), "{output:?}");
     output
 }
 
@@ -74,10 +76,8 @@ fn a_map_that_was_stopped_goes_on_to_the_same_file() {
     assert!(!out.join("scatter.csv").exists());
     // A part file as it is when the program is killed in the middle of a line.
     let key = text(out, "scatter.csv.part");
-    let rows = text(whole.path(), "scatter.csv");
-    let rows: Vec<_> = rows.lines().skip(1).collect();
-    let chunk = |k: usize| format!("{}\ndone {k}\n", rows[8 * k..8 * (k + 1)].join("\n"));
-    let torn = format!("{key}{}{}{}", chunk(3), chunk(0), &chunk(5)[..70]);
+    let chunks = chunks_of_a_killed_map();
+    let torn = format!("{key}{}{}{}", chunks[0], chunks[1], &chunks[2][..70]);
     std::fs::write(out.join("scatter.csv.part"), torn).unwrap();
     let third = map(out, "scatter", "2", &["--time-limit", "0"]);
     let message = String::from_utf8(third.stderr).unwrap();
@@ -85,6 +85,116 @@ fn a_map_that_was_stopped_goes_on_to_the_same_file() {
     map(out, "scatter", "1", &[]);
     assert_eq!(text(out, "scatter.csv"), text(whole.path(), "scatter.csv"));
     assert!(!out.join("scatter.csv.part").exists());
+}
+
+/// Finished chunks of the map, at least three, as they are when it is killed.
+fn chunks_of_a_killed_map() -> Vec<String> {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path();
+    let arguments = [&["scatter"][..], &MAP, &["2"]].concat();
+    let part = loop {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_squirmers"))
+            .args(&arguments)
+            .arg("--out")
+            .arg(out)
+            .stdout(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        while finished(out) < 3 && child.try_wait().unwrap().is_none() {}
+        let part = std::fs::read_to_string(out.join("scatter.csv.part"));
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let part = part.unwrap_or_default();
+        if part.matches("\ndone ").count() >= 3 {
+            break part;
+        }
+    };
+    let (_, rest) = part.split_once('\n').unwrap();
+    let mut chunks = vec![String::new()];
+    for line in rest.split_inclusive('\n') {
+        chunks.last_mut().unwrap().push_str(line);
+        if line.starts_with("done ") {
+            chunks.push(String::new());
+        }
+    }
+    chunks
+}
+
+#[test]
+fn a_piece_of_an_interrupted_map_that_was_edited_is_computed_again() {
+    let whole = tempfile::tempdir().unwrap();
+    map(whole.path(), "scatter", "2", &[]);
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path();
+    map(out, "scatter", "2", &["--time-limit", "0"]);
+    let key = text(out, "scatter.csv.part");
+    let chunks = chunks_of_a_killed_map();
+    let edited = chunks[1].replacen("scattered", "standoff", 1);
+    assert_ne!(edited, chunks[1]);
+    let part = format!("{key}{}{edited}", chunks[0]);
+    std::fs::write(out.join("scatter.csv.part"), part).unwrap();
+    let done = map(out, "scatter", "2", &[]);
+    let message = String::from_utf8(done.stderr).unwrap();
+    assert!(
+        message.contains("1 finished pieces were edited"),
+        "{message}"
+    );
+    assert_eq!(text(out, "scatter.csv"), text(whole.path(), "scatter.csv"));
+}
+
+#[test]
+fn an_interrupted_map_is_not_thrown_away_by_another_one_unless_that_is_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path();
+    map(out, "scatter", "2", &["--time-limit", "0"]);
+    let key = text(out, "scatter.csv.part");
+    let kept = format!("{key}{}", chunks_of_a_killed_map()[0]);
+    std::fs::write(out.join("scatter.csv.part"), &kept).unwrap();
+    let other = ["scatter", "--beta", "1", "--grid", "6", "--method", "lt"];
+    let refused = squirmers(out, &other);
+    let message = String::from_utf8(refused.stderr).unwrap();
+    assert_eq!(refused.status.code(), Some(2), "{message}");
+    assert!(
+        message.contains("--fresh") && message.contains("scatter.csv.part"),
+        "{message}"
+    );
+    assert_eq!(text(out, "scatter.csv.part"), kept);
+    let fresh = squirmers(out, &[&other[..], &["--fresh"]].concat());
+    let message = String::from_utf8(fresh.stderr).unwrap();
+    assert!(
+        fresh.status.success() && message.contains("thrown away"),
+        "{message}"
+    );
+    assert_eq!(text(out, "scatter.csv").lines().count(), 1 + 36);
+}
+
+#[test]
+fn maps_at_once_in_one_folder_lose_no_work() {
+    let large = |beta: &'static str| ["scatter", "--grid", "60", "--method", "lt", "--beta", beta];
+    for second in ["5", "-5"] {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path();
+        let start = |beta| {
+            Command::new(env!("CARGO_BIN_EXE_squirmers"))
+                .args(large(beta))
+                .arg("--out")
+                .arg(out)
+                .stdout(std::process::Stdio::null())
+                .stderr(std::process::Stdio::piped())
+                .spawn()
+                .unwrap()
+        };
+        let both = [start("5"), start(second)].map(|child| child.wait_with_output().unwrap());
+        let done = both.iter().filter(|output| output.status.success()).count();
+        assert!(done >= 1, "{both:?}");
+        for output in both.iter().filter(|output| !output.status.success()) {
+            let message = String::from_utf8_lossy(&output.stderr);
+            assert_eq!(output.status.code(), Some(2), "{message}");
+            assert_eq!(message.trim().lines().count(), 1, "{message}");
+            assert!(message.contains("another run writes"), "{message}");
+        }
+        assert_eq!(text(out, "scatter.csv").lines().count(), 1 + 3600);
+    }
 }
 
 /// Chunks that a part file holds whole.

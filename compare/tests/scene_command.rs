@@ -107,6 +107,129 @@ fn a_run_that_fails_leaves_its_finished_rows_under_a_name_that_says_so() {
 }
 
 #[test]
+fn a_run_that_fails_does_not_pass_files_of_another_scene_off_as_its_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    assert!(
+        squirmers("run", &scene("fig6-head-on-dx2"), &out, &[])
+            .status
+            .success()
+    );
+    let earlier = std::fs::read_to_string(out.join("run.csv")).unwrap();
+    let file = folder.path().join("short.toml");
+    let start = std::fs::read_to_string(scene("fig6-head-on-dx1")).unwrap();
+    std::fs::write(&file, start + "\n[run]\nmax_steps = 10\n").unwrap();
+    let output = squirmers("run", &file, &out, &[]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(output.stderr).contains("run.csv.earlier"));
+    let left = [
+        "run.csv.earlier",
+        "run.csv.partial",
+        "run.json.earlier",
+        "run.svg.earlier",
+    ];
+    assert_eq!(files(&out), left);
+    let kept = std::fs::read_to_string(out.join("run.csv.earlier")).unwrap();
+    assert_eq!(kept, earlier);
+    assert!(
+        squirmers("run", &scene("fig6-head-on-dx1"), &out, &[])
+            .status
+            .success()
+    );
+    assert_eq!(files(&out), ["run.csv", "run.json", "run.svg"]);
+}
+
+#[test]
+fn runs_at_once_in_one_folder_finish_or_are_told_before_they_begin() {
+    let folder = tempfile::tempdir().unwrap();
+    let start = |name: &str| {
+        Command::new(env!("CARGO_BIN_EXE_squirmers"))
+            .arg("run")
+            .arg(scene(name))
+            .arg("--out")
+            .arg(folder.path())
+            .stdout(std::process::Stdio::null())
+            .stderr(std::process::Stdio::piped())
+            .spawn()
+            .unwrap()
+    };
+    let names = ["fig6-head-on-dx1", "fig6-head-on-dx2", "fig6-head-on-dx1"];
+    let outputs = names
+        .map(start)
+        .map(|child| child.wait_with_output().unwrap());
+    assert!(outputs.iter().any(|output| output.status.success()));
+    for output in outputs
+        .into_iter()
+        .filter(|output| !output.status.success())
+    {
+        assert_eq!(output.status.code(), Some(2));
+        let message = text(output.stderr);
+        assert_eq!(message.trim().lines().count(), 1, "{message}");
+        assert!(message.contains("another run writes"), "{message}");
+    }
+    assert_eq!(files(folder.path()), ["run.csv", "run.json", "run.svg"]);
+}
+
+/// A limit of so many blocks a file stands for a full disk: the system refuses to write more.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_told_with_the_file_that_does_not_fit() {
+    let folder = tempfile::tempdir().unwrap();
+    for blocks in ["0", "4"] {
+        let output = Command::new("sh")
+            // Without the trap the system would end the program by a signal.
+            .args(["-c", "trap '' XFSZ; ulimit -f \"$0\"; exec \"$@\"", blocks])
+            .arg(env!("CARGO_BIN_EXE_squirmers"))
+            .arg("run")
+            .arg(scene("fig6-head-on-dx1"))
+            .arg("--out")
+            .arg(folder.path())
+            .output()
+            .unwrap();
+        let message = text(output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert_eq!(message.trim().lines().count(), 1, "{message}");
+        assert!(message.contains("run.csv"), "{message}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_without_end_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = squirmers("run", Path::new("/dev/zero"), folder.path(), &[]);
+    let message = text(output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        message.contains("/dev/zero") && message.contains("1048576"),
+        "{message}"
+    );
+}
+
+#[test]
+fn many_mistakes_are_counted_and_the_first_are_listed_within_seconds() {
+    let folder = tempfile::tempdir().unwrap();
+    let keys: String = (0..100_000).map(|k| format!("k{k}=1\n")).collect();
+    let inline: Vec<_> = (0..80_000).map(|k| format!("k{k}=1")).collect();
+    for (name, content) in [
+        ("keys", keys),
+        ("inline", format!("run = {{{}}}\n", inline.join(","))),
+        ("equals", "=\n".repeat(500_000)),
+    ] {
+        let file = folder.path().join(format!("{name}.toml"));
+        std::fs::write(&file, content).unwrap();
+        let began = std::time::Instant::now();
+        let output = squirmers("explain", &file, folder.path(), &[]);
+        let seconds = began.elapsed().as_secs_f64();
+        assert_eq!(output.status.code(), Some(2));
+        let message = text(output.stderr);
+        assert_eq!(message.trim().lines().count(), 1 + 20 + 1, "{name}");
+        assert!(message.trim().ends_with("more"), "{name}");
+        assert!(seconds < 10.0, "{name}: {seconds} s");
+    }
+}
+
+#[test]
 fn mistakes_are_listed_with_their_places_and_nothing_is_written() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("typo.toml");

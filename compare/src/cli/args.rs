@@ -7,8 +7,9 @@ use clap::{Args, Parser, Subcommand};
 use super::cost::CostArguments;
 use super::maps::{self, MapArguments, TrustArguments};
 use super::scene;
-use crate::Method;
 use crate::numbers::{Numbers, parse_numbers};
+use crate::output::OutputFolder;
+use crate::{CompareError, Method};
 
 /// Two squirming spheres in a Stokes fluid: lubrication theory against full hydrodynamics.
 ///
@@ -20,7 +21,9 @@ use crate::numbers::{Numbers, parse_numbers};
     version,
     arg_required_else_help = true,
     subcommand_required = true,
-    after_help = "Example:\n  squirmers report --out out      every comparison, as one web page"
+    after_help = "Example:\n  squirmers report --out out      every comparison, as one web page\n\n\
+        Exit status: 0 done; 1 a run failed or a bound is broken; 2 bad input or output place;\n\
+        75 stopped by --time-limit, to be gone on with by the same command; 130 interrupted"
 )]
 pub(crate) struct Arguments {
     #[command(subcommand)]
@@ -28,12 +31,22 @@ pub(crate) struct Arguments {
     /// Folder for results
     #[arg(long, global = true, value_name = "DIR", default_value = "out")]
     pub out: PathBuf,
+    /// Throw away what an interrupted sweep has left in the folder, instead of going on with it
+    #[arg(long, global = true)]
+    pub fresh: bool,
     /// Threads to use [default: all]
     #[arg(long, global = true, value_name = "N")]
     pub threads: Option<usize>,
     /// Folder in which tables are kept for the next run [default: the user's cache folder]
     #[arg(long, global = true, value_name = "DIR")]
     pub cache: Option<PathBuf>,
+}
+
+impl Arguments {
+    /// The folder for results, which no other command writes into meanwhile.
+    pub(super) fn output(&self) -> Result<OutputFolder, CompareError> {
+        Ok(OutputFolder::open(&self.out)?.fresh(self.fresh))
+    }
 }
 
 #[derive(Debug, Subcommand)]
@@ -170,7 +183,8 @@ pub(crate) struct RunArguments {
         allow_hyphen_values = true
     )]
     pub departure: f64,
-    /// Begin no further run after this time; those left out are reported
+    /// Begin no further run after this time; those left out are reported, and the same command goes on (exit
+    /// status 75)
     #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
     pub time_limit: Option<f64>,
 }

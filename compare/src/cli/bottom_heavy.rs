@@ -6,7 +6,7 @@ use super::maps::METHODS;
 use crate::bottom_heavy::{PanelCase, PanelRun, panel_runs};
 use crate::output::{OutputFolder, csv_text};
 use crate::streams::complain;
-use crate::{CompareError, Defaults, pictures};
+use crate::{CompareError, Defaults, NoRun, pictures};
 
 pub(super) fn run(
     models: &ModelArguments,
@@ -16,14 +16,19 @@ pub(super) fn run(
     let (methods, options) = model_options(models, &METHODS, general)?;
     let sweep = sweep_options(runs)?;
     let panels = Defaults::paper()?.bottom_heavy;
-    let out = OutputFolder::open(&general.out)?;
+    let out = general.output()?;
     let options = options.for_scenes(panels.iter().map(PanelCase::scene))?;
     let models = set_up(&methods, &options)?;
     let models: Vec<_> = models.iter().collect();
     let runs = panel_runs(&models, &panels, &sweep);
     let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
-    out.write("bottom_heavy.csv", &csv_text(&rows)?)?;
-    if let Some(picture) = pictures::of_bottom_heavy(&runs)? {
+    let stopped = account_for(&runs, &out);
+    if stopped && out.holds("bottom_heavy.csv") {
+        complain!("'bottom_heavy.csv' holds more already and stays as it is");
+    } else {
+        out.write("bottom_heavy.csv", &csv_text(&rows)?)?;
+    }
+    if !stopped && let Some(picture) = pictures::of_bottom_heavy(&runs)? {
         out.write(&picture.file_name, &picture.svg)?;
     }
     print(&runs);
@@ -32,11 +37,20 @@ pub(super) fn run(
             complain!("{}", failure(run, reason));
         }
     }
-    Ok(())
+    out.account().verdict()
+}
+
+/// Enters runs without a result; whether the time limit has left some out.
+pub(crate) fn account_for(runs: &[PanelRun], out: &OutputFolder) -> bool {
+    let none = || runs.iter().filter_map(|run| run.run.as_ref().err());
+    let skipped = none().filter(|none| **none == NoRun::Skipped).count();
+    out.account().skipped(skipped);
+    out.account().failed(none().count() - skipped);
+    skipped > 0
 }
 
 /// One line about a run without a result.
-pub(crate) fn failure(run: &PanelRun, reason: &str) -> String {
+pub(crate) fn failure(run: &PanelRun, reason: &NoRun) -> String {
     format!("panel {}, {}: {reason}", run.case.panel, run.method)
 }
 

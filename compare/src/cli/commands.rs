@@ -7,13 +7,18 @@ use scene::{Gap, Hydrodynamics, LoadSet, MAX_MODES, RunOptions};
 use serde::Serialize;
 
 use super::args::{Arguments, Command, EncounterArguments, ModelArguments, RunArguments};
+use super::many::{PRINTED, checked_count, drop_undrawn, keep_first, print_rest, say_undrawn};
 use super::maps;
+use crate::kept_rows::{Drawn, KeptRows};
 use crate::numbers::Numbers;
 use crate::output::{OutputFolder, csv_text};
 use crate::scene_file::SAMPLE_INTERVAL;
-use crate::streams::{complain, say};
+use crate::streams::say;
 use crate::sweep::SweepOptions;
-use crate::{Approach, Case, CompareError, Defaults, Encounter, Method, Model, ModelOptions};
+use crate::{
+    Approach, Case, CompareError, Defaults, Encounter, EncounterRow, Method, Model, ModelOptions,
+    NoRun,
+};
 use crate::{full_report, pictures, sweep};
 
 pub(super) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), CompareError> {
@@ -42,10 +47,10 @@ pub(super) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), Compare
         Command::Report { models, runs } => {
             let (methods, options) = model_options(models, &Method::DEFAULT, arguments)?;
             let sweep = sweep_options(runs)?;
-            let out = OutputFolder::open(&arguments.out)?;
+            let out = arguments.output()?;
             let path = full_report::write(&methods, &options, &sweep, &out, typed)?;
             say!("{}", path.display());
-            Ok(())
+            out.account().verdict()
         }
     }
 }
@@ -155,7 +160,8 @@ fn loads(
             })
         })
         .collect::<Result<_, _>>()?;
-    let out = OutputFolder::open(&general.out)?;
+    // Its file is whole whoever writes it last.
+    let out = OutputFolder::open_beside_others(&general.out)?;
     let mut rows = Vec::new();
     for &method in &methods {
         check_range(method, &options, &gaps)?;
@@ -177,7 +183,7 @@ fn loads(
     out.write("loads.csv", &csv_text(&rows)?)?;
     print_rows(
         &["method", "gap", "load", "value", "error estimate"],
-        rows.iter().map(|row| {
+        rows.iter().take(PRINTED).map(|row| {
             vec![
                 row.method.to_owned(),
                 format!("{}", row.gap),
@@ -187,6 +193,7 @@ fn loads(
             ]
         }),
     );
+    print_rest(rows.len(), "loads");
     Ok(())
 }
 
@@ -221,14 +228,29 @@ fn encounter(
         &list(&arguments.dx, &defaults.dx),
         &list(&arguments.dz, &defaults.dz),
     )?;
-    let out = OutputFolder::open(&general.out)?;
+    let out = general.output()?;
     let options = options.for_scenes(cases.iter().map(Case::scene))?;
     let models = set_up(&methods, &options)?;
-    let encounters = sweep::encounters(&models, &cases, &sweep);
-    write_encounters(approach, &encounters, &out)?;
-    print_encounters(&encounters);
-    print_failures(&encounters);
-    Ok(())
+    let runs = models.len() * cases.len();
+    let kept = KeptRows {
+        name: &approach.to_string(),
+        models: &models,
+        cases: &cases,
+        options: &sweep,
+        out: &out,
+    };
+    let (mut first, drawn) = (Vec::new(), kept.drawn());
+    let encounters = kept.encounters(drawn, &mut |row| keep_first(&mut first, row))?;
+    for picture in pictures::of_encounters(approach, &encounters)? {
+        out.write(&picture.file_name, &picture.svg)?;
+    }
+    if !out.account().stopped() {
+        drop_undrawn(drawn, approach, &out)?;
+    }
+    print_encounters(&first);
+    print_rest(runs, approach);
+    say_undrawn(drawn, runs);
+    out.account().verdict()
 }
 
 /// All combinations, with the spheres checked not to overlap at the start.
@@ -238,7 +260,8 @@ pub(crate) fn cases(
     dx: &[f64],
     dz: &[f64],
 ) -> Result<Vec<Case>, CompareError> {
-    let mut cases = Vec::new();
+    let count = checked_count(beta, dx, dz)?;
+    let mut cases = Vec::with_capacity(count);
     for &beta in beta {
         for &dx in dx {
             for &dz in dz {
@@ -259,22 +282,6 @@ pub(crate) fn cases(
     Ok(cases)
 }
 
-/// Writes the CSV and the pictures of one approach.
-fn write_encounters(
-    approach: Approach,
-    encounters: &[Encounter],
-    out: &OutputFolder,
-) -> Result<(), CompareError> {
-    let rows: Vec<_> = encounters.iter().map(Encounter::row).collect();
-    let csv = csv_text(&rows)?;
-    let name = approach.to_string();
-    out.write(&format!("{name}.csv"), &csv)?;
-    for picture in pictures::of_encounters(approach, encounters)? {
-        out.write(&picture.file_name, &picture.svg)?;
-    }
-    Ok(())
-}
-
 fn offset(
     dz: Option<&Numbers>,
     models: &ModelArguments,
@@ -285,13 +292,29 @@ fn offset(
     let sweep = sweep_options(runs)?;
     let defaults = Defaults::paper()?.offset;
     let dz = dz.map_or(defaults.dz.clone(), |dz| dz.0.clone());
-    let out = OutputFolder::open(&general.out)?;
+    let out = general.output()?;
     let all = sweep::with_offsets(&defaults.cases(), &dz);
     let options = options.for_scenes(all.iter().map(Case::scene))?;
     let models = set_up(&methods, &options)?;
-    let (rows, encounters) = sweep::offsets(&models, &defaults.cases(), &dz, &sweep);
-    out.write("offset.csv", &csv_text(&rows)?)?;
-    if let Some(picture) = pictures::of_offsets(&rows)? {
+    let runs = models.len() * all.len();
+    let kept = KeptRows {
+        name: "offset",
+        models: &models,
+        cases: &all,
+        options: &sweep,
+        out: &out,
+    };
+    let mut rows = Vec::new();
+    let drawn = Drawn::without_paths(runs);
+    let complete = kept.offsets(&dz, &mut |row| {
+        if drawn != Drawn::Nothing || rows.len() < PRINTED {
+            rows.push(row);
+        }
+    })?;
+    if complete
+        && drawn != Drawn::Nothing
+        && let Some(picture) = pictures::of_offsets(&rows)?
+    {
         out.write(&picture.file_name, &picture.svg)?;
     }
     print_rows(
@@ -305,7 +328,7 @@ fn offset(
             "change 2 [deg]",
             "min gap",
         ],
-        rows.iter().map(|row| {
+        rows.iter().take(PRINTED).map(|row| {
             vec![
                 row.case.clone(),
                 row.method.to_owned(),
@@ -319,11 +342,14 @@ fn offset(
             ]
         }),
     );
-    print_failures(&encounters);
-    Ok(())
+    print_rest(runs - runs / (1 + dz.len()), "offset");
+    if drawn == Drawn::Nothing {
+        say_undrawn(drawn, runs);
+    }
+    out.account().verdict()
 }
 
-fn print_encounters(encounters: &[Encounter]) {
+fn print_encounters(rows: &[EncounterRow]) {
     let header = [
         "method",
         "beta",
@@ -339,8 +365,7 @@ fn print_encounters(encounters: &[Encounter]) {
     ];
     print_rows(
         &header,
-        encounters.iter().map(|encounter| {
-            let row = encounter.row();
+        rows.iter().map(|row| {
             vec![
                 row.method.to_owned(),
                 format!("{}", row.beta),
@@ -350,7 +375,7 @@ fn print_encounters(encounters: &[Encounter]) {
                 format!("{:.5}", row.deflection2_deg),
                 format!("{:.5}", row.min_gap),
                 format!("{:.4}", row.duration),
-                row.outcome,
+                row.outcome.clone(),
                 format!("{}", row.steps),
                 format!("{:.2e}", row.seconds),
             ]
@@ -358,17 +383,8 @@ fn print_encounters(encounters: &[Encounter]) {
     );
 }
 
-/// Says which runs have no result, and why.
-fn print_failures(encounters: &[Encounter]) {
-    for encounter in encounters {
-        if let Err(reason) = &encounter.run {
-            complain!("{}", failure(encounter, reason));
-        }
-    }
-}
-
 /// One line about a run without a result.
-pub(crate) fn failure(encounter: &Encounter, reason: &str) -> String {
+pub(crate) fn failure(encounter: &Encounter, reason: &NoRun) -> String {
     let Case {
         approach,
         beta,

@@ -12,7 +12,7 @@ use crate::cost::{
     self, CostOptions, CostRow, Finding, Part, Recommendation, findings, parse_target, recommend,
 };
 use crate::figures::{deflections_work_precision, loads_work_precision};
-use crate::output::{OutputFolder, csv_text};
+use crate::output::csv_text;
 use crate::progress::Progress;
 use crate::streams::{say, write_out};
 use crate::{CompareError, provenance};
@@ -42,7 +42,7 @@ pub(super) fn run(
     typed: &[String],
 ) -> Result<(), CompareError> {
     let target = parse_target(&arguments.target)?;
-    let out = OutputFolder::open(&general.out)?;
+    let out = general.output()?;
     let started = Instant::now();
     let options = CostOptions {
         quick: arguments.quick,

@@ -50,7 +50,9 @@ pub(super) fn tolerance(arg: Arg) -> Arg {
 
 /// The argument `--time-limit` of a map.
 pub(super) fn time_limit(arg: Arg) -> Arg {
-    arg.help("Begin no further line of a map after this time; the same command goes on later")
+    arg.help(
+        "Begin no further line of a map after this time; the same command goes on later (exit status 75)",
+    )
 }
 
 /// Arguments of `trust`.
@@ -99,7 +101,7 @@ fn checked(
             pairs.extend(dz.iter().map(|&dz| Pair { beta, g, dz }));
         }
     }
-    let out = OutputFolder::open(&general.out)?;
+    let out = general.output()?;
     let options = options.for_scenes(maps::unsymmetric_starts(&pairs))?;
     Ok(Checked {
         models: set_up(&methods, &options)?,
@@ -117,14 +119,14 @@ pub(super) fn scatter(arguments: &MapArguments, general: &Arguments) -> Result<(
     let run = checked(arguments, &SCATTER_BETA, &None, general)?;
     let rows = maps::scatter(&run.models(), &run.pairs, run.grid, &run.sweep, &run.out)?;
     let Some(rows) = rows else {
-        return Ok(());
+        return run.out.account().verdict();
     };
     run.out.write("scatter.csv", &csv_text(&rows)?)?;
     for picture in pictures::of_scatter(&rows)? {
         run.out.write(&picture.file_name, &picture.svg)?;
     }
     print_fates(&maps::fates_of(&run.models(), &run.pairs, run.grid, &rows));
-    Ok(())
+    run.out.account().verdict()
 }
 
 pub(super) fn fates(arguments: &MapArguments, general: &Arguments) -> Result<(), CompareError> {
@@ -132,14 +134,14 @@ pub(super) fn fates(arguments: &MapArguments, general: &Arguments) -> Result<(),
     let run = checked(arguments, &beta, &None, general)?;
     let rows = maps::fates(&run.models(), &run.pairs, run.grid, &run.sweep, &run.out)?;
     let Some(rows) = rows else {
-        return Ok(());
+        return run.out.account().verdict();
     };
     run.out.write("fates.csv", &csv_text(&rows)?)?;
     for picture in pictures::of_fates(&rows)? {
         run.out.write(&picture.file_name, &picture.svg)?;
     }
     print_fates(&rows);
-    Ok(())
+    run.out.account().verdict()
 }
 
 pub(super) fn trust(arguments: &TrustArguments, general: &Arguments) -> Result<(), CompareError> {
@@ -157,7 +159,7 @@ pub(super) fn trust(arguments: &TrustArguments, general: &Arguments) -> Result<(
     let (judged, pairs) = (run.models(), &run.pairs);
     let rows = maps::trust(&judged, &exact, pairs, run.grid, &run.sweep, &run.out)?;
     let Some(rows) = rows else {
-        return Ok(());
+        return run.out.account().verdict();
     };
     run.out.write("trust.csv", &csv_text(&rows)?)?;
     write_trust_pictures(&rows, &run.out)?;
@@ -174,7 +176,7 @@ pub(super) fn trust(arguments: &TrustArguments, general: &Arguments) -> Result<(
     run.out.write("trust_examples.csv", &csv_text(&examples)?)?;
     say!("");
     print_examples(&examples);
-    Ok(())
+    run.out.account().verdict()
 }
 
 /// Which bound states one model has and the other has not.

@@ -5,6 +5,7 @@ pub(crate) mod bottom_heavy;
 pub(crate) mod commands;
 mod cost;
 mod hard_cases;
+mod many;
 pub(crate) mod maps;
 mod scene;
 
@@ -20,8 +21,8 @@ use args::Arguments;
 
 /// Runs the command line `arguments` (the program's name first).
 ///
-/// Exit status 0 on success, 1 if a computation failed, 2 for bad input; either failure prints one
-/// line on standard error.
+/// Exit status 0 on success, 1 if a run failed or a bound is broken, 2 for bad input or a bad output place, 75 if
+/// the time limit stopped the command; each prints one line on standard error.
 pub fn run<I, T>(arguments: I) -> ExitCode
 where
     I: IntoIterator<Item = T>,
@@ -36,7 +37,11 @@ where
         .map(|argument| argument.to_string_lossy().into_owned())
         .collect();
     let done = set_threads(parsed.threads).and_then(|()| commands::run(&parsed, &typed));
-    match done.and_then(|()| refused()) {
+    ended(done.and_then(|()| refused()))
+}
+
+fn ended(done: Result<(), CompareError>) -> ExitCode {
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             complain!("error: {error}");
@@ -54,7 +59,7 @@ fn refuse(error: &clap::Error) -> ExitCode {
             | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
     ) {
         write_out(format_args!("{error}"));
-        return ExitCode::SUCCESS;
+        return ended(refused());
     }
     let text = error.to_string();
     let lines: Vec<_> = (text.lines().map(str::trim))

@@ -1,5 +1,7 @@
 //! `squirmers run` and `squirmers explain`: one scene from its file.
 
+use std::fs::File;
+use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -9,10 +11,12 @@ use serde::Serialize;
 
 use super::args::Arguments;
 use super::commands::print_rows;
-use crate::output::OutputFolder;
 use crate::scene_run::{self, SampleRow, Summary};
-use crate::streams::say;
+use crate::streams::{complain, say};
 use crate::{CompareError, Model, ModelOptions, SceneFile};
+
+/// Longest scene file, in bytes.
+const LONGEST_FILE: u64 = 1 << 20;
 
 #[derive(Debug, Args)]
 pub(crate) struct RunArguments {
@@ -32,10 +36,19 @@ pub(crate) struct ExplainArguments {
 }
 
 fn read(path: &Path) -> Result<SceneFile, CompareError> {
-    let text = std::fs::read_to_string(path).map_err(|source| CompareError::Read {
+    let failed = |source| CompareError::Read {
         path: path.to_owned(),
         source,
-    })?;
+    };
+    let file = File::open(path).map_err(failed)?;
+    let mut text = String::new();
+    // Some files have no end.
+    let read = file.take(LONGEST_FILE + 1).read_to_string(&mut text);
+    if text.len() as u64 > LONGEST_FILE {
+        let reason = format!("it is longer than {LONGEST_FILE} bytes, which no scene file is");
+        return Err(failed(std::io::Error::new(ErrorKind::FileTooLarge, reason)));
+    }
+    read.map_err(failed)?;
     SceneFile::parse(&text).map_err(|mistakes| CompareError::SceneFile {
         path: path.to_owned(),
         mistakes,
@@ -52,17 +65,25 @@ fn set_up(file: &SceneFile, plan: &Plan, general: &Arguments) -> Result<Model, C
 
 pub(super) fn run(arguments: &RunArguments, general: &Arguments) -> Result<(), CompareError> {
     let file = read(&arguments.file)?;
-    let out = OutputFolder::open(&general.out)?;
+    let out = general.output()?;
     let plan = Plan::new(&file.scene)?;
     let model = set_up(&file, &plan, general)?;
     let started = Instant::now();
-    let (run, rows) = scene_run::stream(&model, &plan, &file.run, &out)?;
+    let streamed = scene_run::stream(&model, &plan, &file.run, &out);
+    if streamed.is_err() {
+        let earlier = scene_run::earlier(&out);
+        if !earlier.is_empty() {
+            complain!("files of an earlier run: {}", earlier.join(", "));
+        }
+    }
+    let (run, rows) = streamed?;
     let seconds = started.elapsed().as_secs_f64();
     let svg = crate::figures::scene_run(&file.scene, &rows, !plan.is_level())?;
     out.write("run.svg", &svg)?;
     let summary = Summary::new(&run, &plan, file.method, seconds);
     let json = summary.json()?;
     out.write("run.json", &json)?;
+    scene_run::forget_earlier(&out)?;
     if arguments.json {
         say!("{json}");
     } else {

@@ -25,7 +25,7 @@ fn encounter(approach: Approach, beta: f64, dx: f64, method: Method) -> Encounte
     Encounter {
         case,
         method,
-        run: run.map_err(|error| error.to_string()),
+        run: run.map_err(|error| crate::NoRun::Failed(error.to_string())),
         seconds: 0.0,
     }
 }
@@ -124,7 +124,7 @@ fn nothing_to_draw_and_two_approaches_are_errors() {
 #[test]
 fn failed_runs_are_left_out() {
     let mut all = encounters(Approach::HeadOn, &[5.0]);
-    all[0].run = Err("no table".to_owned());
+    all[0].run = Err(crate::NoRun::Failed("no table".to_owned()));
     assert!(trajectories(&all).is_ok());
     assert!(deflection(&all).is_ok());
 }

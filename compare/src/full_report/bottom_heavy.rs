@@ -1,14 +1,14 @@
 //! The section on bottom-heavy squirmers: the panels of Fig. 8(a-f), and shares of orbits (g).
 
 use crate::bottom_heavy::{PanelRun, panel_runs};
-use crate::cli::bottom_heavy::failure;
-use crate::maps::{Grid, Pair, fates};
+use crate::cli::bottom_heavy::{account_for, failure};
+use crate::maps::{Grid, Pair, fates_as};
 use crate::output::{OutputFolder, csv_text};
 use crate::report::{Figure, Section, Table};
 use crate::sweep::SweepOptions;
 use crate::{CompareError, Defaults, Model, figures, pictures};
 
-use super::{words, written};
+use super::{words, write_unless_less, written};
 
 /// Points a side over which shares are taken: a share of 20 % has a standard error
 /// of 3 %.
@@ -33,7 +33,8 @@ pub(super) fn section(
     let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
     let summary: Vec<_> = runs.iter().map(PanelRun::summary).collect();
     let trajectories = csv_text(&rows)?;
-    out.write("bottom_heavy.csv", &trajectories)?;
+    account_for(&runs, out);
+    write_unless_less("bottom_heavy.csv", &trajectories, out)?;
     let picture = pictures::of_bottom_heavy(&runs)?;
 
     let mut at_tolerance = *sweep;
@@ -41,7 +42,14 @@ pub(super) fn section(
     let pairs: Vec<_> = (BETA.iter())
         .flat_map(|&beta| GRAVITY.map(|g| Pair { beta, g, dz: 0.0 }))
         .collect();
-    let orbits = fates(models, &pairs, Grid::new(GRID)?, &at_tolerance, out)?;
+    let orbits = fates_as(
+        "gravity-fates",
+        models,
+        &pairs,
+        Grid::new(GRID)?,
+        &at_tolerance,
+        out,
+    )?;
     let mut shown = written(picture.into_iter().collect(), out)?;
     let mut tables = vec![Table {
         csv: trajectories,

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{LOADS, words};
+use super::{LOADS, account_for, words, write_unless_less};
 use crate::output::{OutputFolder, csv_text};
 use crate::report::{Figure, Section, Table};
 use crate::sweep::{self, SweepOptions};
@@ -30,7 +30,9 @@ pub(super) fn section(
         .filter(|encounter| encounter.method == Method::Exact)
         .map(|encounter| encounter.case)
         .collect();
-    encounters.extend(sweep::encounters(&extra, &cases, sweep));
+    let more = sweep::encounters(&extra, &cases, sweep);
+    account_for(&more, out);
+    encounters.extend(more);
     let mut judged: Vec<_> = models.iter().chain(&extra).collect();
     judged.sort_by_key(|model| model.method());
 
@@ -40,7 +42,7 @@ pub(super) fn section(
     let svg = figures::load_errors(&errors)?;
     out.write("load-errors.svg", &svg)?;
     let comparison_csv = csv_text(&comparison(&encounters))?;
-    out.write("comparison.csv", &comparison_csv)?;
+    write_unless_less("comparison.csv", &comparison_csv, out)?;
     Ok(Section {
         id: "errors".to_owned(),
         title: "How far each method is from the exact answer".to_owned(),

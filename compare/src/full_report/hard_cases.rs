@@ -10,6 +10,7 @@ pub(super) fn section(options: &ModelOptions, out: &OutputFolder) -> Result<Sect
     let csv = csv_text(&rows)?;
     out.write("hard_cases.csv", &csv)?;
     let broken = rows.iter().filter(|row| !row.holds).count();
+    out.account().broken(broken, rows.len());
     let verdict = if broken == 0 {
         format!("All {} bounds hold.", rows.len())
     } else {

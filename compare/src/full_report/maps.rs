@@ -216,7 +216,8 @@ impl Maps<'_> {
             .filter(|m| m.method() != Method::Exact)
             .collect();
         let grid = Grid::new(OFFSET_GRID)?;
-        let rows = maps::trust(&judged, self.exact, &pairs, grid, self.sweep, self.out)?;
+        let (exact, sweep, name) = (self.exact, self.sweep, "trust_offset");
+        let rows = maps::trust_as(name, &judged, exact, &pairs, grid, sweep, self.out)?;
         let Some(rows) = rows else {
             sections.push(unfinished("trust-offset", title));
             return Ok(());

@@ -21,7 +21,9 @@ use crate::output::{OutputFolder, csv_text};
 use crate::pictures::{Picture, of_encounters, of_offsets};
 use crate::report::{Figure, MethodCost, Page, Section, Table, render};
 use crate::sweep::{self, SweepOptions};
-use crate::{Approach, CompareError, Defaults, Encounter, Method, Model, ModelOptions, provenance};
+use crate::{
+    Approach, CompareError, Defaults, Encounter, Method, Model, ModelOptions, NoRun, provenance,
+};
 
 /// Gaps at which the page states each model's own error estimate: where collisions go.
 const STATED_GAPS: [f64; 3] = [0.1, 0.01, 0.005];
@@ -72,7 +74,33 @@ pub(crate) fn write(
         notes: content.notes,
         provenance: provenance::of(typed, started.elapsed().as_secs_f64()),
     };
-    out.write("index.html", &render(&page))
+    let page = render(&page);
+    if out.account().stopped() {
+        return out.write(UNFINISHED, &page);
+    }
+    if out.holds(UNFINISHED) {
+        out.remove(UNFINISHED)?;
+    }
+    out.write("index.html", &page)
+}
+
+/// The page while the time limit has left something out: no whole page is replaced by it.
+const UNFINISHED: &str = "index.unfinished.html";
+
+/// Enters encounters without a result.
+fn account_for(encounters: &[Encounter], out: &OutputFolder) {
+    let none = || encounters.iter().filter_map(|e| e.run.as_ref().err());
+    let skipped = none().filter(|none| **none == NoRun::Skipped).count();
+    out.account().skipped(skipped);
+    out.account().failed(none().count() - skipped);
+}
+
+/// Writes a file, unless the time limit has left something out and an earlier command's is there.
+fn write_unless_less(name: &str, text: &str, out: &OutputFolder) -> Result<(), CompareError> {
+    if !(out.account().stopped() && out.holds(name)) {
+        out.write(name, text)?;
+    }
+    Ok(())
 }
 
 /// What has been run so far.
@@ -98,7 +126,8 @@ impl Content {
         let rows: Vec<_> = encounters.iter().map(Encounter::row).collect();
         let csv = csv_text(&rows)?;
         let file_name = format!("{approach}.csv");
-        out.write(&file_name, &csv)?;
+        account_for(&encounters, out);
+        write_unless_less(&file_name, &csv, out)?;
         let (title, prose) = words::encounters(approach);
         self.sections.push(Section {
             id: approach.to_string(),
@@ -125,7 +154,8 @@ impl Content {
         let defaults = Defaults::paper()?.offset;
         let (rows, encounters) = sweep::offsets(models, &defaults.cases(), &defaults.dz, sweep);
         let csv = csv_text(&rows)?;
-        out.write("offset.csv", &csv)?;
+        account_for(&encounters, out);
+        write_unless_less("offset.csv", &csv, out)?;
         self.sections.push(Section {
             id: "offset".to_owned(),
             title: "Sensitivity to an offset out of the plane (Fig. 5b)".to_owned(),
@@ -178,7 +208,7 @@ impl Content {
 fn written(pictures: Vec<Picture>, out: &OutputFolder) -> Result<Vec<Figure>, CompareError> {
     (pictures.into_iter())
         .map(|Picture { file_name, svg }| {
-            out.write(&file_name, &svg)?;
+            write_unless_less(&file_name, &svg, out)?;
             Ok(Figure {
                 caption: words::caption(&file_name).to_owned(),
                 svg,

@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 
-use super::written;
+use super::{write_unless_less, written};
 use crate::bottom_heavy::{PanelRun, panel_runs};
+use crate::cli::bottom_heavy::account_for;
 use crate::output::{OutputFolder, csv_text};
 use crate::pictures;
 use crate::report::{Section, Table};
@@ -25,7 +26,8 @@ pub(super) fn section(
         let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
         let csv = csv_text(&rows)?;
         let file_name = format!("{name}.csv");
-        out.write(&file_name, &csv)?;
+        account_for(&runs, out);
+        write_unless_less(&file_name, &csv, out)?;
         let drawn = pictures::of_panels(&format!("{name}.svg"), title, &runs)?;
         figures.extend(written(drawn.into_iter().collect(), out)?);
         let summary: Vec<_> = runs.iter().map(ExampleRow::of).collect();

@@ -1,7 +1,6 @@
 //! The ends of the number range, torn and shared files, processes, and threads.
 
 use bem::Bem;
-use rayon::ThreadPoolBuilder;
 use scene::{LoadSet, TableOptions, Tabulated};
 
 use super::files::{bits, damaged_tables, shared_folders};
@@ -34,10 +33,7 @@ fn threads(bench: &Bench, rows: &mut Rows) -> Result<(), CompareError> {
         smallest_gap: 0.3,
     };
     let build = |threads: usize| -> Result<Vec<u64>, CompareError> {
-        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-        let pool =
-            pool.map_err(|error| CompareError::input("threads", threads, error.to_string()))?;
-        pool.install(|| {
+        super::pool(threads)?.install(|| {
             let set = options.set;
             let mut all = bits(&Tabulated::build(Bem::new(1)?, options, &|_| {})?, set)?;
             all.extend(bits(&exact::Exact::new(), set)?);

@@ -18,7 +18,9 @@ mod standoff;
 mod stiff;
 mod suction;
 
-use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use scene::RunOptions;
 
 use crate::{CompareError, Method, Model, ModelOptions};
@@ -133,12 +135,39 @@ pub const GROUPS: [Group; 10] = [
     },
 ];
 
-/// All rows of all groups, side by side on the threads there are.
+/// All rows of all groups, as many side by side as there are threads.
+///
+/// Groups run on threads outside the pool, which may wait for one another and for processes: a thread of the pool
+/// that waits for work which only the pool can do waits for ever.
 #[must_use]
 pub fn all_rows(bench: &Bench) -> Vec<HardCaseRow> {
-    (GROUPS.par_iter().with_max_len(1))
-        .flat_map_iter(|group| group.rows(bench))
-        .collect()
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut done = Vec::new();
+        while let Some(group) = GROUPS.get(next.fetch_add(1, Relaxed)) {
+            done.push((group.name, group.rows(bench)));
+        }
+        done
+    };
+    let mut rows: Vec<_> = std::thread::scope(|scope| {
+        let threads: Vec<_> = (0..rayon::current_num_threads())
+            .map(|_| scope.spawn(work))
+            .collect();
+        (threads.into_iter())
+            .flat_map(|thread| match thread.join() {
+                Ok(done) => done,
+                Err(panic) => std::panic::resume_unwind(panic),
+            })
+            .collect()
+    });
+    rows.sort_by_key(|(name, _)| GROUPS.iter().position(|group| group.name == *name));
+    rows.into_iter().flat_map(|(_, rows)| rows).collect()
+}
+
+/// A pool of threads apart from the common one.
+fn pool(threads: usize) -> Result<ThreadPool, CompareError> {
+    (ThreadPoolBuilder::new().num_threads(threads).build())
+        .map_err(|error| CompareError::input("threads", threads, error.to_string()))
 }
 
 /// Options for a run to `end_time` at a tolerance.

@@ -52,7 +52,8 @@ pub(super) fn processes(rows: &mut Rows) -> Result<(), CompareError> {
     #[cfg(target_os = "linux")]
     full_disk(&program, rows)?;
     killed(&program, rows)?;
-    at_once(&program, rows)
+    at_once(&program, rows)?;
+    one_folder(&program, rows)
 }
 
 fn failed(path: &Path) -> impl Fn(std::io::Error) -> CompareError + '_ {
@@ -206,6 +207,42 @@ fn at_once(program: &Path, rows: &mut Rows) -> Result<(), CompareError> {
             "of {AT_ONCE} processes at once: those that fail or leave other files than one alone"
         ),
         (0.0, "files are written aside and renamed"),
+        wrong as f64,
+    );
+    Ok(())
+}
+
+/// Sweeps that would write one part file: one does its work, the other is told before it begins any.
+fn one_folder(program: &Path, rows: &mut Rows) -> Result<(), CompareError> {
+    let other: Vec<&str> = MAP
+        .iter()
+        .map(|&word| if word == "5" { "-5" } else { word })
+        .collect();
+    let mut wrong = 0;
+    for second in [MAP, &other] {
+        let shared = temporary()?;
+        let mut first = command(program, MAP, shared.path())
+            .spawn()
+            .map_err(failed(program))?;
+        while finished(shared.path()) == 0 && first.try_wait().map_err(failed(program))?.is_none() {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        let refused = command(program, second, shared.path())
+            .stderr(Stdio::piped())
+            .output()
+            .map_err(failed(program))?;
+        let message = String::from_utf8_lossy(&refused.stderr);
+        let told = message.trim().lines().count() == 1 && message.contains("another run writes");
+        // Who comes when the first is done may do its work.
+        let refused_well = refused.status.code() == Some(2) && told;
+        wrong += usize::from(!refused_well && !refused.status.success());
+        wrong += usize::from(!first.wait().map_err(failed(program))?.success());
+        wrong += usize::from(!shared.path().join("scatter.csv").exists());
+    }
+    rows.add(
+        ALL,
+        "of 2 maps at once in one folder: those that lose their work or are not refused in one line",
+        (0.0, "a folder belongs to one process at a time"),
         wrong as f64,
     );
     Ok(())

@@ -3,10 +3,10 @@
 use scene::Outcome;
 use serde::{Deserialize, Serialize};
 
+use super::Sweep;
 use super::grid::{Grid, Pair};
 use super::scatter::{ScatterRow, line};
-use super::{Sweep, csv_lines, rows_of};
-use crate::output::OutputFolder;
+use crate::output::{OutputFolder, csv_lines, rows_of};
 use crate::sweep::SweepOptions;
 use crate::{CompareError, Method, Model};
 
@@ -79,6 +79,11 @@ impl Counts {
         }
         counts
     }
+
+    /// Runs that failed.
+    fn without_result(&self) -> usize {
+        self.0[Outcome::ALL.len()]
+    }
 }
 
 /// The shares for every model and pair, in this order; `None` where the time limit left something
@@ -93,7 +98,19 @@ pub fn fates(
     sweep: &SweepOptions,
     out: &OutputFolder,
 ) -> Result<Option<Vec<FateRow>>, CompareError> {
-    let sweep = Sweep::new("fates", models, pairs, grid, sweep);
+    fates_as("fates", models, pairs, grid, sweep, out)
+}
+
+/// As [`fates`], kept under another name until it is whole: a command may take more than one.
+pub(crate) fn fates_as(
+    name: &'static str,
+    models: &[&Model],
+    pairs: &[Pair],
+    grid: Grid,
+    sweep: &SweepOptions,
+    out: &OutputFolder,
+) -> Result<Option<Vec<FateRow>>, CompareError> {
+    let sweep = Sweep::new(name, models, pairs, grid, sweep);
     let lines = sweep.run(out, |model, pair, sigma, options| {
         csv_lines(&[Counts::of(&line(model, pair, grid, sigma, options))])
     })?;
@@ -104,6 +121,8 @@ pub fn fates(
     let rows = (maps.zip(lines.chunks(grid.points())))
         .map(|((model, pair), lines)| {
             let counts: Vec<Counts> = rows_of(&lines.concat())?;
+            out.account()
+                .failed(counts.iter().map(Counts::without_result).sum());
             Ok(fate_row(model.method(), pair, &counts))
         })
         .collect::<Result<_, CompareError>>()?;

@@ -4,15 +4,13 @@
 mod bound;
 mod fates;
 mod grid;
-mod resume;
+pub(crate) mod resume;
 mod scatter;
 mod trust;
 
 use std::time::Duration;
 
 use scene::{Hydrodynamics, RunOptions};
-use serde::Serialize;
-use serde::de::DeserializeOwned;
 
 use crate::output::OutputFolder;
 use crate::streams::complain;
@@ -21,10 +19,11 @@ use crate::{CompareError, Model};
 use resume::Journal;
 
 pub use bound::{BoundExample, BoundRow, bound_examples, bound_rows};
+pub(crate) use fates::fates_as;
 pub use fates::{FateRow, fates, fates_of};
 pub use grid::{Grid, Pair, unsymmetric_starts};
 pub use scatter::{ScatterRow, scatter, scatter_row};
-pub(crate) use trust::{CLASSES as TRUST_CLASSES, same_map};
+pub(crate) use trust::{CLASSES as TRUST_CLASSES, same_map, trust_as};
 pub use trust::{TrustRow, TrustShares, trust, trust_rows, trust_shares};
 
 /// A sweep over models, pairs and the lines of a grid, each line a chunk.
@@ -67,15 +66,13 @@ impl<'a> Sweep<'a> {
             .map(|pair| format!("{:?}/{:?}/{:?}", pair.beta, pair.g, pair.dz))
             .collect();
         format!(
-            "squirmers {} {}: {}; beta/g/dz {}; grid {}; tolerance {:?}; end {:?}; angles at {:?}",
+            "squirmers {} {}: {}; beta/g/dz {}; grid {}; {:?}",
             env!("CARGO_PKG_VERSION"),
             self.name,
             models.join(", "),
             pairs.join(", "),
             self.grid.points(),
-            self.run.tolerance,
-            self.run.end_time,
-            self.run.angles_at,
+            self.run,
         )
         .replace('\n', " ")
     }
@@ -90,45 +87,24 @@ impl<'a> Sweep<'a> {
         let sigmas = self.grid.values();
         let chunks = self.models.len() * self.pairs.len() * sigmas.len();
         let journal = Journal::open(out, self.name, &self.key())?;
-        let lines = journal.run(chunks, "lines of the map", self.time_limit, |chunk| {
+        let left = journal.run(chunks, "lines of the map", self.time_limit, |chunk| {
             let (map, line) = (chunk / sigmas.len(), chunk % sigmas.len());
             let model = self.models[map / self.pairs.len()];
             let pair = self.pairs[map % self.pairs.len()];
             compute(model, pair, sigmas[line], &self.run)
         })?;
-        let skipped = lines.iter().filter(|line| line.is_none()).count();
-        if skipped > 0 {
+        if left > 0 {
+            out.account().skipped(left);
             complain!(
-                "skipped: the time limit was reached before {skipped} of {chunks} lines of constant \
+                "skipped: the time limit was reached before {left} of {chunks} lines of constant \
                  Sigma; the same command goes on from {}.csv.part",
                 self.name
             );
             return Ok(None);
         }
-        journal.close()?;
-        Ok(Some(lines.into_iter().flatten().collect()))
+        let lines = (0..chunks).filter_map(|chunk| journal.lines(chunk).transpose());
+        let lines = lines.collect::<Result<_, _>>()?;
+        // The part file goes when the map's own file is there.
+        Ok(Some(lines))
     }
-}
-
-/// Rows as CSV lines without a header.
-fn csv_lines<T: Serialize>(rows: &[T]) -> Result<String, CompareError> {
-    let mut writer = csv::WriterBuilder::new()
-        .has_headers(false)
-        .from_writer(Vec::new());
-    for row in rows {
-        writer.serialize(row)?;
-    }
-    let bytes = (writer.into_inner()).map_err(|error| csv::Error::from(error.into_error()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
-}
-
-/// Rows from CSV lines without a header.
-fn rows_of<T: DeserializeOwned>(lines: &str) -> Result<Vec<T>, CompareError> {
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .from_reader(lines.as_bytes());
-    reader
-        .deserialize()
-        .map(|row| row.map_err(CompareError::from))
-        .collect()
 }

@@ -2,66 +2,140 @@
 //! was.
 //!
 //! Chunks are appended to `NAME.csv.part` under a first line that describes the sweep, each as its
-//! lines followed by `done K`. What follows the last such line was torn when the sweep stopped, and is
-//! dropped. A part file of another sweep is not read.
+//! lines followed by `done K CHECKSUM`. What follows the last such line was torn when the sweep stopped, and is
+//! dropped. A chunk whose checksum does not fit was edited or damaged: it is computed again, which is said. A part
+//! file of another sweep is neither read nor thrown away without leave.
 
 use std::collections::BTreeMap;
-use std::fs::{File, OpenOptions};
-use std::io::Write;
+use std::fs::File;
+use std::io::{BufRead, BufReader, BufWriter, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::PathBuf;
-use std::sync::Mutex;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
 use crate::CompareError;
-use crate::output::OutputFolder;
+use crate::output::{OutputFolder, part_of};
 use crate::progress::Progress;
+use crate::streams::complain;
 
 const DONE: &str = "done ";
 
 /// The chunks of one sweep, on disk.
 pub(crate) struct Journal {
     path: PathBuf,
-    file: Mutex<File>,
-    finished: BTreeMap<usize, String>,
+    key: String,
+    kept: Mutex<Kept>,
+}
+
+/// The part file, and where in it the lines of each chunk are.
+struct Kept {
+    file: File,
+    end: u64,
+    chunks: BTreeMap<usize, Place>,
+}
+
+#[derive(Clone, Copy)]
+struct Place {
+    at: u64,
+    length: usize,
+}
+
+/// What an earlier command has left.
+#[derive(Debug, PartialEq)]
+enum Found {
+    /// Chunks of the same sweep, but for so many damaged ones.
+    Same { damaged: usize },
+    /// So many chunks of another.
+    Other { chunks: usize },
 }
 
 impl Journal {
     /// Opens the journal of the sweep that `key` describes in one line, with the chunks that are
     /// finished already.
+    ///
+    /// # Errors
+    /// [`CompareError::OtherSweep`] if chunks of another sweep would be lost, unless that is asked for;
+    /// [`CompareError::Write`].
     pub(crate) fn open(out: &OutputFolder, name: &str, key: &str) -> Result<Self, CompareError> {
-        let file_name = format!("{name}.csv.part");
+        let file_name = part_of(&format!("{name}.csv"));
         let path = out.path().join(&file_name);
-        let kept = std::fs::read(&path).unwrap_or_default();
-        let finished = finished_chunks(&String::from_utf8_lossy(&kept), key);
+        let failed = |source| out.failed(&file_name, source);
         // Written anew without what was torn.
-        let mut text = format!("{key}\n");
-        for (&chunk, lines) in &finished {
-            text += &entry(chunk, lines);
+        let mut anew = BufWriter::new(out.aside(&file_name)?);
+        let (mut chunks, mut end) = (BTreeMap::new(), key.len() as u64 + 1);
+        writeln!(anew, "{key}").map_err(failed)?;
+        let earlier = match File::open(&path) {
+            Ok(file) => Some(BufReader::new(file)),
+            Err(error) if error.kind() == ErrorKind::NotFound => None,
+            Err(error) => return Err(failed(error)),
+        };
+        if let Some(earlier) = earlier {
+            let found = scan(earlier, key, |chunk, lines| {
+                if out.is_fresh() {
+                    return Ok(());
+                }
+                let entry = entry(key, chunk, lines);
+                let length = lines.len();
+                chunks.insert(chunk, Place { at: end, length });
+                end += (length + entry.len()) as u64;
+                anew.write_all(lines)?;
+                anew.write_all(entry.as_bytes())
+            });
+            found.map_err(failed)?.judge(&path, out.is_fresh())?;
         }
-        out.write(&file_name, &text)?;
-        let file = (OpenOptions::new().append(true).open(&path)).map_err(|source| {
-            CompareError::Write {
-                path: path.clone(),
-                source,
-            }
-        })?;
+        let anew = anew
+            .into_inner()
+            .map_err(|error| failed(error.into_error()))?;
+        let file = anew.persist(&path).map_err(|error| failed(error.error))?;
+        let kept = Kept { file, end, chunks };
+        out.takes(file_name);
         Ok(Self {
             path,
-            file: Mutex::new(file),
-            finished,
+            key: key.to_owned(),
+            kept: Mutex::new(kept),
         })
     }
 
+    fn kept(&self) -> MutexGuard<'_, Kept> {
+        self.kept.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn failed(&self, source: std::io::Error) -> CompareError {
+        let path = self.path.clone();
+        CompareError::Write { path, source }
+    }
+
     fn append(&self, chunk: usize, lines: &str) -> Result<(), CompareError> {
-        let mut file = (self.file.lock()).unwrap_or_else(std::sync::PoisonError::into_inner);
-        (file.write_all(entry(chunk, lines).as_bytes()))
-            .and_then(|()| file.flush())
-            .map_err(|source| CompareError::Write {
-                path: self.path.clone(),
-                source,
-            })
+        let entry = entry(&self.key, chunk, lines.as_bytes());
+        let mut kept = self.kept();
+        let at = kept.end;
+        (kept.file.seek(SeekFrom::Start(at)))
+            .and_then(|_| kept.file.write_all(format!("{lines}{entry}").as_bytes()))
+            .map_err(|source| self.failed(source))?;
+        let length = lines.len();
+        kept.end += (length + entry.len()) as u64;
+        kept.chunks.insert(chunk, Place { at, length });
+        Ok(())
+    }
+
+    /// Whether a chunk is finished.
+    pub(crate) fn has(&self, chunk: usize) -> bool {
+        self.kept().chunks.contains_key(&chunk)
+    }
+
+    /// The lines of a chunk, if it is finished.
+    pub(crate) fn lines(&self, chunk: usize) -> Result<Option<String>, CompareError> {
+        let mut kept = self.kept();
+        let Some(&Place { at, length }) = kept.chunks.get(&chunk) else {
+            return Ok(None);
+        };
+        let mut bytes = vec![0; length];
+        (kept.file.seek(SeekFrom::Start(at)))
+            .and_then(|_| kept.file.read_exact(&mut bytes))
+            .map_err(|source| self.failed(source))?;
+        Ok(Some(String::from_utf8_lossy(&bytes).into_owned()))
     }
 
     /// Takes the part file away: its chunks are in the finished file.
@@ -70,79 +144,147 @@ impl Journal {
         std::fs::remove_file(&path).map_err(|source| CompareError::Write { path, source })
     }
 
-    /// The lines of all chunks `0..chunks` in their order, computed in parallel where they are not
-    /// finished already; `None` for those that the time limit left out.
+    /// Computes, in parallel, those of the chunks `0..chunks` that are not finished already, and keeps them; how
+    /// many the time limit left out.
     pub(crate) fn run(
         &self,
         chunks: usize,
         what: &'static str,
         time_limit: Option<Duration>,
         compute: impl Fn(usize) -> Result<String, CompareError> + Sync,
-    ) -> Result<Vec<Option<String>>, CompareError> {
+    ) -> Result<usize, CompareError> {
         let started = Instant::now();
-        let pending = (0..chunks).filter(|k| !self.finished.contains_key(k));
-        let progress = Progress::of(pending.clone().count(), what);
-        let lines = (0..chunks)
-            .into_par_iter()
+        let pending: Vec<usize> = (0..chunks).filter(|&chunk| !self.has(chunk)).collect();
+        let progress = Progress::of(pending.len(), what);
+        let left = (pending.into_par_iter())
             // Chunks differ in price: each thread takes the next one.
             .with_max_len(1)
             .map(|chunk| {
-                if let Some(lines) = self.finished.get(&chunk) {
-                    return Ok(Some(lines.clone()));
-                }
                 if time_limit.is_some_and(|limit| started.elapsed() >= limit) {
-                    return Ok(None);
+                    return Ok(1);
                 }
                 let lines = compute(chunk)?;
                 self.append(chunk, &lines)?;
                 progress.advance();
-                Ok(Some(lines))
+                Ok(0)
             })
-            .collect();
+            .try_reduce(|| 0, |a, b| Ok(a + b));
         progress.finish();
-        lines
+        left
     }
 }
 
-fn entry(chunk: usize, lines: &str) -> String {
-    format!("{lines}{DONE}{chunk}\n")
+impl Found {
+    /// Says what is lost, or refuses to lose it.
+    fn judge(&self, path: &std::path::Path, fresh: bool) -> Result<(), CompareError> {
+        match *self {
+            Self::Other { chunks } if chunks > 0 && !fresh => {
+                return Err(CompareError::OtherSweep {
+                    path: path.to_owned(),
+                    chunks,
+                });
+            }
+            Self::Same { damaged } if damaged > 0 && !fresh => complain!(
+                "'{}': {damaged} finished pieces were edited or damaged and are computed again",
+                path.display()
+            ),
+            _ if fresh => complain!("'{}' is thrown away", path.display()),
+            _ => {}
+        }
+        Ok(())
+    }
 }
 
-fn finished_chunks(text: &str, key: &str) -> BTreeMap<usize, String> {
-    let mut finished = BTreeMap::new();
-    let Some(mut rest) = text.strip_prefix(key).and_then(|t| t.strip_prefix('\n')) else {
-        return finished;
-    };
-    let mut lines = String::new();
-    while let Some((line, after)) = rest.split_once('\n') {
-        rest = after;
-        match line.strip_prefix(DONE).map(str::parse) {
-            Some(Ok(chunk)) => {
-                finished.insert(chunk, std::mem::take(&mut lines));
+/// The line that ends a chunk.
+fn entry(key: &str, chunk: usize, lines: &[u8]) -> String {
+    let mut checksum = crc32fast::Hasher::new();
+    checksum.update(key.as_bytes());
+    checksum.update(&chunk.to_le_bytes());
+    checksum.update(lines);
+    format!("{DONE}{chunk} {:08x}\n", checksum.finalize())
+}
+
+/// Hands on the whole chunks of a part file of the sweep `key`.
+fn scan(
+    mut text: impl BufRead,
+    key: &str,
+    mut take: impl FnMut(usize, &[u8]) -> std::io::Result<()>,
+) -> std::io::Result<Found> {
+    let mut line = Vec::new();
+    text.read_until(b'\n', &mut line)?;
+    let same = line.strip_suffix(b"\n") == Some(key.as_bytes());
+    let (mut lines, mut chunks, mut damaged) = (Vec::new(), 0, 0);
+    loop {
+        line.clear();
+        text.read_until(b'\n', &mut line)?;
+        if !line.ends_with(b"\n") {
+            break;
+        }
+        let Some(end) = line.strip_prefix(DONE.as_bytes()) else {
+            if same {
+                lines.extend_from_slice(&line);
             }
-            Some(Err(_)) => break,
-            None => {
-                lines.push_str(line);
-                lines.push('\n');
+            continue;
+        };
+        chunks += 1;
+        if same {
+            let number = String::from_utf8_lossy(end);
+            let chunk = number
+                .split_once(' ')
+                .and_then(|(chunk, _)| chunk.parse().ok());
+            match chunk.filter(|&chunk| entry(key, chunk, &lines).as_bytes() == line) {
+                Some(chunk) => take(chunk, &lines)?,
+                None => damaged += 1,
             }
+            lines.clear();
         }
     }
-    finished
+    Ok(if same {
+        Found::Same { damaged }
+    } else {
+        Found::Other { chunks }
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn whole(text: &str, key: &str) -> (Found, BTreeMap<usize, String>) {
+        let mut chunks = BTreeMap::new();
+        let found = scan(text.as_bytes(), key, |chunk, lines| {
+            chunks.insert(chunk, String::from_utf8_lossy(lines).into_owned());
+            Ok(())
+        });
+        (found.unwrap(), chunks)
+    }
+
     #[test]
     fn a_torn_chunk_is_dropped_and_another_sweep_is_not_read() {
-        let text = "key\na,1\nb,2\ndone 4\nc,3\ndone 0\nd,4\ndon";
-        let chunks = finished_chunks(text, "key");
+        let [four, zero] = [(4, "a,1\nb,2\n"), (0, "c,3\n")]
+            .map(|(k, lines)| format!("{lines}{}", entry("key", k, lines.as_bytes())));
+        let text = format!("key\n{four}{zero}d,4\ndon");
+        let (found, chunks) = whole(&text, "key");
+        assert_eq!(found, Found::Same { damaged: 0 });
         assert_eq!(chunks.len(), 2);
         assert_eq!(chunks[&4], "a,1\nb,2\n");
         assert_eq!(chunks[&0], "c,3\n");
-        assert!(finished_chunks(text, "other").is_empty());
-        assert!(finished_chunks("key\na,1\ndone 1", "key").is_empty());
+        let (found, chunks) = whole(&text, "other");
+        assert!(chunks.is_empty());
+        assert_eq!(found, Found::Other { chunks: 2 });
+        assert!(whole("key\na,1\ndone 1", "key").1.is_empty());
+    }
+
+    #[test]
+    fn a_chunk_that_was_edited_is_told_from_one_that_was_not() {
+        let lines = "a,1\nb,2\n";
+        let text = format!("key\n{lines}{}", entry("key", 4, lines.as_bytes()));
+        assert_eq!(whole(&text, "key").1.len(), 1);
+        for (from, to) in [("b,2", "b,3"), ("done 4", "done 5"), ("a,1\n", "")] {
+            let (found, chunks) = whole(&text.replace(from, to), "key");
+            assert_eq!(found, Found::Same { damaged: 1 }, "{from} for {to}");
+            assert!(chunks.is_empty());
+        }
     }
 
     #[test]
@@ -152,15 +294,20 @@ mod tests {
         let line = |k: usize| Ok(format!("row {k}\n"));
         let journal = Journal::open(&out, "sweep", "key").unwrap();
         let none = journal.run(3, "chunks", Some(Duration::ZERO), line);
-        assert_eq!(none.unwrap(), [None, None, None]);
+        assert_eq!(none.unwrap(), 3);
         let two = Journal::open(&out, "sweep", "key").unwrap();
         two.run(2, "chunks", None, line).unwrap();
+        assert!(matches!(
+            Journal::open(&out, "sweep", "another"),
+            Err(CompareError::OtherSweep { chunks: 2, .. })
+        ));
         let rest = Journal::open(&out, "sweep", "key").unwrap();
-        let all = rest.run(3, "chunks", None, |k| {
+        let left = rest.run(3, "chunks", None, |k| {
             assert_eq!(k, 2, "finished chunks are not computed again");
             line(k)
         });
-        let all: Vec<_> = all.unwrap().into_iter().flatten().collect();
+        assert_eq!(left.unwrap(), 0);
+        let all: Vec<_> = (0..3).map(|k| rest.lines(k).unwrap().unwrap()).collect();
         assert_eq!(all, ["row 0\n", "row 1\n", "row 2\n"]);
         rest.close().unwrap();
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);

@@ -3,9 +3,10 @@
 use scene::{Outcome, RunOptions};
 use serde::{Deserialize, Serialize};
 
+use super::Sweep;
 use super::grid::{Grid, Pair};
-use super::{Sweep, csv_lines, rows_of};
-use crate::output::OutputFolder;
+use crate::encounter::FAILED;
+use crate::output::{OutputFolder, csv_lines, rows_of};
 use crate::sweep::SweepOptions;
 use crate::{CompareError, Method, Model};
 
@@ -35,9 +36,6 @@ pub struct ScatterRow {
     /// Smallest gap, in radii.
     pub min_gap: f64,
 }
-
-/// Outcome of a run that failed.
-pub(super) const FAILED: &str = "failed";
 
 /// The run that starts at one point of the plane.
 #[must_use]
@@ -90,12 +88,16 @@ pub fn scatter(
     out: &OutputFolder,
 ) -> Result<Option<Vec<ScatterRow>>, CompareError> {
     let sweep = Sweep::new("scatter", models, pairs, grid, sweep);
-    sweep
-        .run(out, |model, pair, sigma, options| {
-            csv_lines(&line(model, pair, grid, sigma, options))
-        })?
-        .map(|lines| rows_of(&lines.concat()))
-        .transpose()
+    let lines = sweep.run(out, |model, pair, sigma, options| {
+        csv_lines(&line(model, pair, grid, sigma, options))
+    })?;
+    let Some(lines) = lines else {
+        return Ok(None);
+    };
+    let rows: Vec<ScatterRow> = rows_of(&lines.concat())?;
+    let failed = rows.iter().filter(|row| row.outcome == FAILED).count();
+    out.account().failed(failed);
+    Ok(Some(rows))
 }
 
 impl ScatterRow {

@@ -3,10 +3,11 @@
 use scene::Outcome;
 use serde::{Deserialize, Serialize};
 
+use super::Sweep;
 use super::grid::{Grid, Pair};
 use super::scatter::{ScatterRow, line};
-use super::{Sweep, csv_lines, rows_of};
-use crate::output::OutputFolder;
+use crate::encounter::FAILED;
+use crate::output::{OutputFolder, csv_lines, rows_of};
 use crate::sweep::SweepOptions;
 use crate::{CompareError, Method, Model};
 
@@ -183,14 +184,34 @@ pub fn trust(
     sweep: &SweepOptions,
     out: &OutputFolder,
 ) -> Result<Option<Vec<TrustRow>>, CompareError> {
+    trust_as("trust", models, exact, pairs, grid, sweep, out)
+}
+
+/// As [`trust`], kept under another name until it is whole.
+pub(crate) fn trust_as(
+    name: &'static str,
+    models: &[&Model],
+    exact: &Model,
+    pairs: &[Pair],
+    grid: Grid,
+    sweep: &SweepOptions,
+    out: &OutputFolder,
+) -> Result<Option<Vec<TrustRow>>, CompareError> {
     debug_assert_eq!(exact.method(), Method::Exact);
-    let sweep = Sweep::new("trust", models, pairs, grid, sweep);
-    sweep
-        .run(out, |model, pair, sigma, options| {
-            let judged = line(model, pair, grid, sigma, options);
-            let referee = line(exact, pair, grid, sigma, options);
-            csv_lines(&trust_rows(&judged, &referee, pair))
-        })?
-        .map(|lines| rows_of(&lines.concat()))
-        .transpose()
+    let sweep = Sweep::new(name, models, pairs, grid, sweep);
+    let lines = sweep.run(out, |model, pair, sigma, options| {
+        let judged = line(model, pair, grid, sigma, options);
+        let referee = line(exact, pair, grid, sigma, options);
+        csv_lines(&trust_rows(&judged, &referee, pair))
+    })?;
+    let Some(lines) = lines else {
+        return Ok(None);
+    };
+    let rows: Vec<TrustRow> = rows_of(&lines.concat())?;
+    let outcomes = rows
+        .iter()
+        .flat_map(|row| [&row.outcome_lt, &row.outcome_exact]);
+    let failed = outcomes.filter(|outcome| *outcome == FAILED).count();
+    out.account().failed(failed);
+    Ok(Some(rows))
 }

@@ -1,5 +1,6 @@
 //! Mistakes in a scene file: where each is, what was found and what is allowed.
 
+use std::collections::HashSet;
 use std::fmt;
 use std::ops::Range;
 
@@ -34,26 +35,33 @@ impl fmt::Display for Mistake {
     }
 }
 
+/// Mistakes that are listed; of more, the number is told.
+const LISTED: usize = 20;
+
 /// All mistakes in a file, in the order of their places.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub struct Mistakes(pub Vec<Mistake>);
 
 impl fmt::Display for Mistakes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (number, mistake) in self.0.iter().enumerate() {
+        for (number, mistake) in self.0.iter().take(LISTED).enumerate() {
             if number > 0 {
                 writeln!(f)?;
             }
             write!(f, "{mistake}")?;
         }
-        Ok(())
+        match self.0.len().saturating_sub(LISTED) {
+            0 => Ok(()),
+            more => write!(f, "\nand {more} more"),
+        }
     }
 }
 
 /// Takes mistakes down as a file is read.
 pub(super) struct Notes<'t> {
     text: &'t str,
-    mistakes: Vec<Mistake>,
+    /// Mistakes whose lines and columns are yet to be found, with where they are in bytes.
+    mistakes: Vec<(usize, Mistake)>,
 }
 
 impl<'t> Notes<'t> {
@@ -77,14 +85,14 @@ impl<'t> Notes<'t> {
 
     /// A mistake in words of its own.
     pub(super) fn note(&mut self, span: Range<usize>, key: &str, found: String, allowed: String) {
-        let (line, column) = self.place(span.start);
-        self.mistakes.push(Mistake {
-            line,
-            column,
+        let mistake = Mistake {
+            line: 1,
+            column: 1,
             key: key.to_owned(),
             found,
             allowed,
-        });
+        };
+        self.mistakes.push((span.start, mistake));
     }
 
     /// A key that nobody asked for.
@@ -113,8 +121,8 @@ impl<'t> Notes<'t> {
 
     /// The mistakes, without those on a line that is not TOML, which would only follow from that.
     pub(super) fn into_mistakes(self) -> Mistakes {
-        let mut mistakes = self.mistakes;
-        let broken: Vec<_> = (mistakes.iter())
+        let mut mistakes = self.placed();
+        let broken: HashSet<_> = (mistakes.iter())
             .filter(|mistake| mistake.key.is_empty())
             .map(|mistake| mistake.line)
             .collect();
@@ -127,22 +135,40 @@ impl<'t> Notes<'t> {
     /// The piece of the file at `span`, on one line.
     pub(super) fn quote(&self, span: Range<usize>) -> String {
         let piece = self.text.get(span).unwrap_or_default();
-        let line: Vec<_> = piece.split_whitespace().collect();
-        let line = line.join(" ");
+        // No more words than can be quoted: a piece may be the whole file.
+        let words: Vec<_> = piece.split_whitespace().take(QUOTED + 1).collect();
+        let line = words.join(" ");
         if line.is_empty() {
             return "nothing".to_owned();
         }
-        if line.chars().count() > QUOTED {
+        if line.chars().nth(QUOTED).is_some() {
             let short: String = line.chars().take(QUOTED).collect();
             return format!("{short}…");
         }
         line
     }
 
-    fn place(&self, at: usize) -> (usize, usize) {
-        let before = self.text.get(..at).unwrap_or(self.text);
-        let line = before.matches('\n').count() + 1;
-        let start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        (line, before[start..].chars().count() + 1)
+    /// The mistakes with their lines and columns, in one pass over the file however many there are.
+    fn placed(self) -> Vec<Mistake> {
+        let mut mistakes = self.mistakes;
+        mistakes.sort_by_key(|(at, _)| *at);
+        let (mut line, mut column) = (1, 1);
+        let mut rest = self.text.char_indices().peekable();
+        (mistakes.into_iter())
+            .map(|(at, mistake)| {
+                while let Some((_, passed)) = rest.next_if(|(index, _)| *index < at) {
+                    if passed == '\n' {
+                        (line, column) = (line + 1, 1);
+                    } else {
+                        column += 1;
+                    }
+                }
+                Mistake {
+                    line,
+                    column,
+                    ..mistake
+                }
+            })
+            .collect()
     }
 }

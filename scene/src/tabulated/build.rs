@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use super::chebyshev::{MAX_DEGREE, coefficients, points, tail};
+use super::chebyshev::{MAX_DEGREE, coefficients, points, tail, variation};
 use super::parts::Parts;
 use super::{FAR_GAP, Piece, Table, TableLimit, TableSummary, Tabulated};
 use crate::{Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, SceneError, singular};
@@ -164,6 +164,11 @@ impl<M: Hydrodynamics> Builder<'_, M> {
             let error = tail(&rows, &values, &read);
             let done = error <= self.target;
             if done || (degree == MAX_DEGREE && halvings == MAX_HALVINGS) {
+                let error = if done {
+                    error
+                } else {
+                    error.max(variation(&values, &read))
+                };
                 let of_model = self.model_error(coordinate, low, high)?;
                 let of_pair = self.options.set.column_count();
                 let (pair, swirl): (Vec<_>, Vec<_>) = (rows.iter())

@@ -47,6 +47,20 @@ pub(crate) fn tail(rows: &[Vec<f64>], values: &[Vec<f64>], read: &[bool]) -> f64
         .fold(0.0, f64::max)
 }
 
+/// Largest variation of a column over the values, relative to the larger of the values and 1, among those `read`: what
+/// an interpolant that has not converged may be off by.
+pub(crate) fn variation(values: &[Vec<f64>], read: &[bool]) -> f64 {
+    let columns = values.first().map_or(0, Vec::len);
+    (0..columns)
+        .filter(|&column| read.get(column).is_none_or(|read| *read))
+        .map(|column| {
+            let of = || values.iter().map(|v| v[column]);
+            let scale = of().map(f64::abs).fold(1.0, f64::max);
+            (of().fold(f64::MIN, f64::max) - of().fold(f64::MAX, f64::min)) / scale
+        })
+        .fold(0.0, f64::max)
+}
+
 /// All columns of `sum_j series[j] T_j(u)`.
 pub(crate) fn interpolant(series: &[Vec<f64>], u: f64) -> Vec<f64> {
     let columns = series.first().map_or(0, Vec::len);

@@ -1,0 +1,60 @@
+//! Account of the runs of a command: the exit status follows from it.
+
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+use crate::CompareError;
+
+/// Runs, or lines of a map, and those without a result.
+#[derive(Debug, Default)]
+pub(crate) struct Account {
+    failed: AtomicUsize,
+    skipped: AtomicUsize,
+    broken: AtomicUsize,
+    bounds: AtomicUsize,
+}
+
+impl Account {
+    /// So many runs failed.
+    pub(crate) fn failed(&self, runs: usize) {
+        self.failed.fetch_add(runs, Relaxed);
+    }
+
+    /// So many runs, or lines of a map, were left out at the time limit.
+    pub(crate) fn skipped(&self, runs: usize) {
+        self.skipped.fetch_add(runs, Relaxed);
+    }
+
+    /// So many bounds are broken, of so many.
+    pub(crate) fn broken(&self, broken: usize, bounds: usize) {
+        self.broken.fetch_add(broken, Relaxed);
+        self.bounds.fetch_add(bounds, Relaxed);
+    }
+
+    /// Whether the time limit has left something out.
+    pub(crate) fn stopped(&self) -> bool {
+        self.skipped.load(Relaxed) > 0
+    }
+
+    /// What the command comes to when everything is written.
+    ///
+    /// # Errors
+    /// [`CompareError::Stopped`] if the time limit has left something out, else [`CompareError::RunsFailed`] if
+    /// something failed, else [`CompareError::BoundsBroken`] if bounds are broken.
+    pub(crate) fn verdict(&self) -> Result<(), CompareError> {
+        if self.stopped() {
+            let skipped = self.skipped.load(Relaxed);
+            return Err(CompareError::Stopped { skipped });
+        }
+        let failed = self.failed.load(Relaxed);
+        if failed > 0 {
+            return Err(CompareError::RunsFailed { failed });
+        }
+        match self.broken.load(Relaxed) {
+            0 => Ok(()),
+            broken => Err(CompareError::BoundsBroken {
+                broken,
+                bounds: self.bounds.load(Relaxed),
+            }),
+        }
+    }
+}
