@@ -21,6 +21,7 @@ fn report<const H: usize>(name: &str, eps: f64, panels: &[f64]) -> Result<(), Fa
             far: 2.5,
             slope: 0.5,
             core: 0.5,
+            width: f64::INFINITY,
             gap: eps,
         };
         let family = MeshFamily::<H>::new(law, 0.5 * eps, 2.0 * eps)?;

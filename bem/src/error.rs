@@ -15,14 +15,20 @@ pub enum BemError {
     },
     /// A gap too small for the meshes of a level.
     #[error(
-        "gap {eps:e} is not resolved by mesh level {level}: {}",
+        "gap {eps:e}{} is not resolved by mesh level {level}{}: {}",
+        whose(*spheres),
+        limit(*spheres, *resolved),
         advice(*needed, *smallest)
     )]
     GapUnresolved {
+        /// Between which spheres, by their indices, if there may be more than the pair.
+        spheres: Option<(usize, usize)>,
         /// The gap, in sphere radii.
         eps: f64,
         /// The level asked for.
         level: usize,
+        /// Smallest gap that the level resolves there, in sphere radii.
+        resolved: f64,
         /// The lowest level that would do, if there is one.
         needed: Option<usize>,
         /// Smallest gap of the highest level.
@@ -72,6 +78,18 @@ pub enum BemError {
         /// Number of entries found.
         found: usize,
     },
+}
+
+fn whose(spheres: Option<(usize, usize)>) -> String {
+    spheres.map_or_else(String::new, |(first, second)| {
+        format!(" between spheres {first} and {second}")
+    })
+}
+
+fn limit(spheres: Option<(usize, usize)>, resolved: f64) -> String {
+    spheres.map_or_else(String::new, |_| {
+        format!(", which resolves gaps from {resolved:.2e} there")
+    })
 }
 
 fn advice(needed: Option<usize>, smallest: f64) -> String {

@@ -5,12 +5,19 @@
 //! resistance matrix R and the loads by slip; free motion V then follows from
 //! `R V + slip loads + external loads = 0`. This is the check on the pair frame: other equations, other
 //! meshes, slip solved for rather than by reciprocity.
+//!
+//! A mesh is refined towards one neighbour alone. Every other neighbour meets panels that are larger, and a
+//! gap that these do not resolve would give loads without a single right digit: such gaps are refused
+//! ([`BemError::GapUnresolved`]). At the smallest gap that a level accepts, whatever the place of the
+//! contact on the mesh, every load of a pair was found within 0.6 % of `exact` (`tests/lab.rs`).
+
+mod resolution;
 
 use nalgebra::{DMatrix, DVector, Unit, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 
 use crate::dense::solve_all;
-use crate::model::mesh_family;
+use crate::model::{check_level, mesh_family};
 use crate::surface::{Block, Profile, Surface, Target, Work};
 use crate::{BemError, slip};
 
@@ -100,8 +107,8 @@ impl Lab {
     /// Solves for the spheres `bodies` with meshes of refinement level `level`.
     ///
     /// # Errors
-    /// [`BemError::Overlap`] if two spheres overlap, [`BemError::Level`] for a level that does not
-    /// exist, [`BemError::Residual`] if the dense system could not be solved.
+    /// [`BemError::Overlap`] if two spheres overlap, [`BemError::GapUnresolved`] if the meshes do not resolve the
+    /// gap between any two of them, [`BemError::Level`] for a level that does not exist, [`BemError::Residual`] if the dense system could not be solved.
     pub fn new(level: usize, bodies: &[Body]) -> Result<Self, BemError> {
         let spheres = meshed(level, bodies)?;
         let places: Vec<Place> = places(&spheres);
@@ -195,25 +202,46 @@ struct Place {
     normal: Vector3<f64>,
 }
 
-fn meshed(level: usize, bodies: &[Body]) -> Result<Vec<Sphere<'_>>, BemError> {
-    bodies
-        .iter()
-        .enumerate()
-        .map(|(first, body)| {
-            let towards = nearest(first, bodies)?;
-            let gap = towards.map_or(f64::INFINITY, |(_, distance)| distance - 2.0);
-            let profile = towards.map_or(Profile::alone(), |_| Profile::beside_mirror_image(gap));
-            let mesh = mesh_family(level, gap)?.at(gap);
-            let turn = towards.map_or(UnitQuaternion::identity(), |(direction, _)| {
-                turned(&direction)
-            });
-            Ok(Sphere {
-                body,
-                surface: Surface::new((mesh.clone(), profile), (&mesh, profile)),
-                rotation: body.mesh_rotation * turn,
-            })
+/// Where the refined pole of a sphere's mesh is, and for what gap the mesh is made.
+struct Pole {
+    /// Gap to the nearest neighbour, infinite for a sphere alone.
+    gap: f64,
+    /// Turns the mesh's frame, whose pole is +z, into the laboratory's.
+    rotation: UnitQuaternion<f64>,
+}
+
+fn poles(bodies: &[Body]) -> Result<Vec<Pole>, BemError> {
+    let pole = |(first, body): (usize, &Body)| {
+        let towards = nearest(first, bodies)?;
+        let turn = towards.map_or(UnitQuaternion::identity(), |(direction, _)| {
+            turned(&direction)
+        });
+        Ok(Pole {
+            gap: towards.map_or(f64::INFINITY, |(_, distance)| distance - 2.0),
+            rotation: body.mesh_rotation * turn,
         })
-        .collect()
+    };
+    bodies.iter().enumerate().map(pole).collect()
+}
+
+fn meshed(level: usize, bodies: &[Body]) -> Result<Vec<Sphere<'_>>, BemError> {
+    check_level(level)?;
+    let poles = poles(bodies)?;
+    resolution::check(level, bodies, &poles)?;
+    let sphere = |(body, pole): (_, Pole)| {
+        let profile = if pole.gap.is_finite() {
+            Profile::beside_mirror_image(pole.gap)
+        } else {
+            Profile::alone()
+        };
+        let mesh = mesh_family(level, pole.gap)?.at(pole.gap);
+        Ok(Sphere {
+            body,
+            surface: Surface::new((mesh.clone(), profile), (&mesh, profile)),
+            rotation: pole.rotation,
+        })
+    };
+    bodies.iter().zip(poles).map(sphere).collect()
 }
 
 /// Direction and distance of the nearest neighbour, if there is one.

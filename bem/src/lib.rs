@@ -30,6 +30,7 @@
 
 mod dense;
 mod error;
+mod estimates;
 pub mod lab;
 pub mod mesh;
 pub mod model;
@@ -39,6 +40,7 @@ pub mod slip;
 pub mod surface;
 
 pub use error::BemError;
+pub use estimates::Estimates;
 pub use lab::{Body, Lab, Load, Motion};
 
 pub use model::Bem;

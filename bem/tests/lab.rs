@@ -147,3 +147,125 @@ fn overlapping_spheres_are_refused() {
         })
     ));
 }
+
+/// Two still spheres along a skew line at the gap `eps`, their meshes turned away from one another by `angle`.
+fn turned_away(eps: f64, angle: f64) -> ([Body; 2], UnitQuaternion<f64>) {
+    let turn = UnitQuaternion::from_euler_angles(0.4, 1.0, -0.7);
+    let (d, t, c) = (
+        turn * Vector3::z(),
+        turn * Vector3::x(),
+        turn * Vector3::y(),
+    );
+    let mut bodies = [0.0, 2.0 + eps].map(|s| Body::rigid(d * s));
+    bodies[0].mesh_rotation = UnitQuaternion::from_scaled_axis((t * 0.8 + c * 0.6) * angle);
+    bodies[1].mesh_rotation = UnitQuaternion::from_scaled_axis(t * angle);
+    (bodies, turn)
+}
+
+/// The largest error of the loads by rigid motions, relative to the larger of the load and 1.
+fn worst_rigid_load(lab: &Lab, eps: f64, turn: UnitQuaternion<f64>) -> f64 {
+    let truth = exact::Exact::new()
+        .loads(Gap::new(eps).unwrap(), LoadSet::all(0))
+        .unwrap();
+    let [t, c, d] = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| turn * axis);
+    let zero = Vector3::zeros();
+    let moved = |velocity, angular_velocity| {
+        sphere_1_moves(
+            lab,
+            Motion {
+                velocity,
+                angular_velocity,
+            },
+        )
+    };
+    let (along, across) = (moved(d, zero), moved(t, zero));
+    let (turning, twist) = (moved(zero, c), moved(zero, d));
+    let mut worst: f64 = 0.0;
+    for k in 0..2 {
+        let of = |s: scene::SelfOther| if k == 0 { s.own() } else { s.other() };
+        for (found, truth) in [
+            (along[k].force.dot(&d) / (-6.0 * PI), of(truth.xa)),
+            (across[k].force.dot(&t) / (-6.0 * PI), of(truth.ya)),
+            (turning[k].force.dot(&t) / (4.0 * PI), of(truth.yb)),
+            (turning[k].torque.dot(&c) / (-8.0 * PI), of(truth.yc)),
+            (twist[k].torque.dot(&d) / (-8.0 * PI), of(truth.xc)),
+        ] {
+            worst = worst.max((found - truth).abs() / truth.abs().max(1.0));
+        }
+    }
+    worst
+}
+
+#[test]
+fn val_the_smallest_gap_accepted_anywhere_on_a_mesh_is_resolved_to_a_hundredth() {
+    for angle in [0.0, 0.05, 0.3, 1.0, 2.0, 3.1] {
+        let mut eps = 1e-5;
+        let (lab, turn) = loop {
+            let (bodies, turn) = turned_away(eps, angle);
+            match Lab::new(1, &bodies) {
+                Ok(lab) => break (lab, turn),
+                Err(BemError::GapUnresolved { resolved, .. }) => {
+                    assert!(resolved > eps, "{resolved} at {eps}");
+                    eps = resolved * 1.0001;
+                }
+                Err(error) => panic!("{error}"),
+            }
+        };
+        let error = worst_rigid_load(&lab, eps, turn);
+        assert!(error < 0.01, "{error:e} at gap {eps}, angle {angle}");
+    }
+}
+
+#[test]
+fn a_gap_that_the_meshes_do_not_resolve_is_an_error_not_a_load() {
+    for eps in [1e-3, 1e-4, 1e-5] {
+        let bodies = [0.0, 2.0 + eps].map(|z| Body::rigid(Vector3::z() * z));
+        let refused = Lab::new(1, &bodies).unwrap_err();
+        assert!(
+            matches!(
+                refused,
+                BemError::GapUnresolved {
+                    spheres: Some((0, 1)),
+                    level: 1,
+                    resolved: 0.004,
+                    ..
+                }
+            ),
+            "{refused}"
+        );
+    }
+}
+
+#[test]
+fn a_gap_to_the_second_nearest_neighbour_is_looked_at_too() {
+    // Sphere 1 turns its mesh to sphere 0, and sphere 2 has no nearer neighbour than sphere 1.
+    let at = |eps: f64| {
+        [
+            Body::rigid(Vector3::new(-2.01, 0.0, 0.0)),
+            Body::rigid(Vector3::zeros()),
+            Body::rigid(Vector3::new(0.0, 2.0 + eps, 0.0)),
+        ]
+    };
+    let refused = Lab::new(1, &at(0.02)).unwrap_err();
+    let BemError::GapUnresolved {
+        spheres,
+        eps,
+        resolved,
+        needed,
+        ..
+    } = refused
+    else {
+        panic!("{refused}");
+    };
+    assert_eq!((spheres, needed), (Some((1, 2)), None));
+    assert_relative_eq!(eps, 0.02, max_relative = 1e-10);
+    assert!(resolved > 0.1 && resolved < 0.4, "{resolved}");
+    let told = refused.to_string();
+    assert!(
+        told.contains("between spheres 1 and 2") && told.contains("resolves gaps from"),
+        "{told}"
+    );
+    // What the error names as resolved is accepted, and a little less is not.
+    assert!(Lab::new(1, &at(1.001 * resolved)).is_ok());
+    assert!(Lab::new(1, &at(0.99 * resolved)).is_err());
+}

@@ -123,6 +123,7 @@ mod tests {
             far: 0.5,
             slope: 0.5,
             core: 0.5,
+            width: f64::INFINITY,
             gap: 0.01,
         };
         let mesh = rings(&law);

@@ -76,6 +76,21 @@ impl<const H: usize> MeshFamily<H> {
         }
     }
 
+    /// Length of the edges of the mesh for the gap `eps` at the angle `theta` from the contact point.
+    #[must_use]
+    pub fn edge(&self, eps: f64, theta: f64) -> f64 {
+        let law = Grading {
+            gap: if self.law.gap.is_finite() {
+                eps
+            } else {
+                self.law.gap
+            },
+            ..self.law
+        };
+        // Rings keep their number as the gap changes.
+        law.size(theta) * law.panels(PI) / self.law.panels(PI)
+    }
+
     fn moved(&self, vertex: &Vector3<f64>, law: &Grading) -> Vector3<f64> {
         let sine = vertex.x.hypot(vertex.y);
         if sine <= 0.0 {
@@ -98,6 +113,7 @@ mod tests {
             far: 0.35,
             slope: 0.35,
             core: 0.5,
+            width: f64::INFINITY,
             gap: 1.0,
         };
         MeshFamily::new(law, 0.001, 0.004).unwrap()

@@ -1,11 +1,14 @@
 //! How large panels may be at an angle θ from the contact point.
 //!
 //! ```text
-//! 1/h(θ) = (1/h_far + 1/(slope (θ + core sqrt(eps)))) / scale
+//! 1/h(θ) = (1/h_far + 1/(slope (θ + core sqrt(eps))) + 1/(width (eps + θ²))) / scale
 //! ```
 //!
 //! Near contact the loads live in a cap of angle `sqrt(eps)`, where the gap's width is
 //! `eps + θ²`; beyond it the pressure falls algebraically, so panels may grow in proportion to θ.
+//! The last term ties panels to the gap's width. The velocity across the gap is what is left after the
+//! two spheres' shares cancel, and kinks of the density at the edges of panels spoil it once panels
+//! are several times as wide as the gap. A cap that only shrinks as `sqrt(eps)` has that happen at small gaps.
 //! `H(θ) = ∫ dθ/h` counts panels along a meridian.
 
 /// A size law for the edges of a mesh.
@@ -19,6 +22,8 @@ pub struct Grading {
     pub slope: f64,
     /// Angle over which panels hardly grow, relative to that of the cap, `sqrt(eps)`.
     pub core: f64,
+    /// Edge length per width of the gap, for `scale` 1; infinity leaves the width out.
+    pub width: f64,
     /// The gap, in radii; infinity for a uniform mesh.
     pub gap: f64,
 }
@@ -31,14 +36,17 @@ impl Grading {
     /// Edge length at the angle `theta` from the contact point.
     #[must_use]
     pub fn size(&self, theta: f64) -> f64 {
-        self.scale / (1.0 / self.far + 1.0 / (self.slope * (theta + self.cap())))
+        let cap = 1.0 / (self.slope * (theta + self.cap()));
+        let width = 1.0 / (self.width * (self.gap + theta * theta));
+        self.scale / (1.0 / self.far + cap + width)
     }
 
     /// `H(θ) = ∫₀^θ dθ/h`, the number of panels between the contact point and `theta`.
     #[must_use]
     pub fn panels(&self, theta: f64) -> f64 {
         let near = if self.gap.is_finite() {
-            (theta / self.cap()).ln_1p() / self.slope
+            let root = self.gap.sqrt();
+            (theta / self.cap()).ln_1p() / self.slope + (theta / root).atan() / (self.width * root)
         } else {
             0.0
         };
@@ -69,12 +77,17 @@ mod tests {
 
     #[test]
     fn angle_of_share_inverts_the_count_of_panels() {
-        for gap in [1e-4, 0.1, f64::INFINITY] {
+        let widths = [f64::INFINITY, 8.0];
+        for (gap, width) in [1e-4, 0.1, f64::INFINITY]
+            .into_iter()
+            .flat_map(|gap| widths.map(|width| (gap, width)))
+        {
             let law = Grading {
                 scale: 0.7,
                 far: 0.3,
                 slope: 0.25,
                 core: 0.5,
+                width,
                 gap,
             };
             for theta in [1e-3, 0.1, 1.0, 3.0] {
