@@ -391,3 +391,43 @@ fn bottom_heavy_writes_six_panels_of_each_method() {
     refused(&["bottom-heavy", "--tol", "1"], "1.0");
     refused(&["bottom-heavy", "--method", "lt,none"], "'none'");
 }
+
+#[test]
+fn a_closed_form_has_no_error_estimate() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = squirmers(folder.path(), &["loads", "--gap", "0.1", "--method", "lt"]);
+    assert!(output.status.success());
+    let rows = rows(&folder.path().join("loads.csv"));
+    assert!(rows.iter().all(|row| &row[4] == "none"), "{rows:?}");
+    assert!(String::from_utf8(output.stdout).unwrap().contains("none"));
+}
+
+#[test]
+fn each_load_by_boundary_elements_has_an_error_estimate_of_its_own_and_few_gaps_need_no_table() {
+    let folder = tempfile::tempdir().unwrap();
+    let cache = folder.path().join("cache");
+    let arguments = [
+        "loads", "--gap", "0.1", "--method", "bem", "--mesh", "1", "--modes", "1",
+    ];
+    let arguments = [&arguments[..], &["--cache", cache.to_str().unwrap()]].concat();
+    assert!(squirmers(folder.path(), &arguments).status.success());
+    let rows = rows(&folder.path().join("loads.csv"));
+    let mut estimates: Vec<String> = rows.iter().map(|row| row[4].to_owned()).collect();
+    assert!(estimates.iter().all(|e| e.parse::<f64>().unwrap() > 0.0));
+    estimates.sort();
+    estimates.dedup();
+    assert!(estimates.len() > 5, "{estimates:?}");
+    assert_eq!(std::fs::read_dir(&cache).map_or(0, Iterator::count), 0);
+}
+
+#[test]
+fn distances_at_which_no_angle_can_be_read_are_refused() {
+    refused(
+        &["head-on", "--method", "lt", "--departure", "2"],
+        "--departure",
+    );
+    refused(
+        &["scatter", "--method", "lt", "--departure", "nan"],
+        "--departure",
+    );
+}

@@ -31,7 +31,7 @@ pub(super) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), Compare
         } => {
             let set = LoadSet::all(highest("--modes", *modes)?);
             let set = set.with_swirl(highest("--swirl", *swirl)?);
-            loads(gap, set, models, arguments)
+            super::loads::run(gap, set, models, arguments)
         }
         Command::HeadOn(encounters) => encounter(Approach::HeadOn, encounters, arguments),
         Command::Orthogonal(encounters) => encounter(Approach::Orthogonal, encounters, arguments),
@@ -125,16 +125,6 @@ pub(super) fn sweep_options(runs: &RunArguments) -> Result<SweepOptions, Compare
     })
 }
 
-#[derive(Serialize)]
-struct LoadRow {
-    method: &'static str,
-    gap: f64,
-    name: String,
-    value: f64,
-    /// The model's own estimate, relative to the larger of the load and 1; `none` for a closed form, which has none.
-    error_estimate: String,
-}
-
 /// A highest slip mode, if loads can hold so many.
 fn highest(what: &'static str, modes: usize) -> Result<usize, CompareError> {
     if modes > MAX_MODES {
@@ -142,70 +132,6 @@ fn highest(what: &'static str, modes: usize) -> Result<usize, CompareError> {
         return Err(CompareError::input(what, modes, allowed));
     }
     Ok(modes)
-}
-
-fn loads(
-    gaps: &Numbers,
-    set: LoadSet,
-    arguments: &ModelArguments,
-    general: &Arguments,
-) -> Result<(), CompareError> {
-    let (methods, mut options) = model_options(arguments, &Method::DEFAULT, general)?;
-    options.tabulated = set;
-    let gaps: Vec<_> = (gaps.0.iter())
-        .map(|&eps| {
-            Gap::new(eps).map_err(|_| {
-                let allowed = "gaps must be greater than 0 and finite";
-                CompareError::input("--gap", format!("{eps:?}"), allowed)
-            })
-        })
-        .collect::<Result<_, _>>()?;
-    // Its file is whole whoever writes it last.
-    let out = OutputFolder::open_beside_others(&general.out)?;
-    let mut rows = Vec::new();
-    for &method in &methods {
-        check_range(method, &options, &gaps)?;
-        let model = Model::set_up(method, &options)?;
-        for &gap in &gaps {
-            let (loads, swirl) = model.loads_with_swirl(gap, set)?;
-            let error_estimate = (model.error_estimate(gap, set)?)
-                .map_or_else(|| "none".to_owned(), |error| format!("{error:.1e}"));
-            let named = loads.named().into_iter().chain(swirl.named());
-            rows.extend(named.map(|(name, value)| LoadRow {
-                method: method.name(),
-                gap: gap.eps(),
-                name,
-                value,
-                error_estimate: error_estimate.clone(),
-            }));
-        }
-    }
-    out.write("loads.csv", &csv_text(&rows)?)?;
-    print_rows(
-        &["method", "gap", "load", "value", "error estimate"],
-        rows.iter().take(PRINTED).map(|row| {
-            vec![
-                row.method.to_owned(),
-                format!("{}", row.gap),
-                row.name.clone(),
-                format!("{:.9}", row.value),
-                row.error_estimate.clone(),
-            ]
-        }),
-    );
-    print_rest(rows.len(), "loads");
-    Ok(())
-}
-
-/// Refuses a gap that the method cannot answer for before anything is computed.
-fn check_range(method: Method, options: &ModelOptions, gaps: &[Gap]) -> Result<(), CompareError> {
-    if method == Method::Bem {
-        let bem = bem::Bem::new(options.mesh)?;
-        for &gap in gaps {
-            bem.check(gap)?;
-        }
-    }
-    Ok(())
 }
 
 fn encounter(

@@ -5,6 +5,7 @@ pub(crate) mod bottom_heavy;
 pub(crate) mod commands;
 mod cost;
 mod hard_cases;
+mod loads;
 mod many;
 pub(crate) mod maps;
 mod scene;
