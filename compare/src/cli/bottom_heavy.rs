@@ -22,7 +22,7 @@ pub(super) fn run(
     let models: Vec<_> = models.iter().collect();
     let runs = panel_runs(&models, &panels, &sweep);
     let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
-    out.write("bottom_heavy.csv", &csv_text(&rows)?)?;
+    out.write("bottom-heavy.csv", &csv_text(&rows)?)?;
     if let Some(picture) = pictures::of_bottom_heavy(&runs)? {
         out.write(&picture.file_name, &picture.svg)?;
     }
