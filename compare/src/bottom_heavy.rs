@@ -52,7 +52,7 @@ pub struct PanelRun {
     pub run: Result<Run, NoRun>,
 }
 
-/// One line of `bottom_heavy.csv`: lengths in radii, time in `a/V_s`, angles anticlockwise from the x
+/// One line of `bottom-heavy.csv`: lengths in radii, time in `a/V_s`, angles anticlockwise from the x
 /// axis, which wind.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(missing_docs, reason = "the columns' names say it")]

@@ -373,7 +373,7 @@ fn bottom_heavy_writes_six_panels_of_each_method() {
     let folder = tempfile::tempdir().unwrap();
     let arguments = ["bottom-heavy", "--method", "lt,lt-corrected"];
     assert!(squirmers(folder.path(), &arguments).status.success());
-    let rows = rows(&folder.path().join("bottom_heavy.csv"));
+    let rows = rows(&folder.path().join("bottom-heavy.csv"));
     for method in ["lt", "lt-corrected"] {
         for panel in ["a", "b", "c", "d", "e", "f"] {
             let of_panel: Vec<_> = (rows.iter())

@@ -37,7 +37,7 @@ fn the_table_has_every_row_and_the_exit_status_says_whether_all_hold() {
         .arg(out)
         .output()
         .unwrap();
-    let mut reader = csv::Reader::from_path(out.join("hard_cases.csv")).unwrap();
+    let mut reader = csv::Reader::from_path(out.join("hard-cases.csv")).unwrap();
     let headers = reader.headers().unwrap().clone();
     let start: Vec<_> = headers.iter().take(6).collect();
     assert_eq!(

@@ -22,7 +22,7 @@ impl Repulsion {
         decay: 100.0,
     };
 
-    /// Repulsion of strength `kappa1 >= 0` and decay rate `kappa2 > 0`.
+    /// Repulsion of strength `kappa1 > 0` and decay rate `kappa2 > 0`.
     ///
     /// # Errors
     /// [`SceneError::NotFinite`] or [`SceneError::NotPositive`].
@@ -115,13 +115,35 @@ impl Gravity {
 pub(crate) fn unit(what: &'static str, vector: Vector3<f64>) -> Result<Vector3<f64>, SceneError> {
     let length = vector.norm();
     if (length - 1.0).abs() < f64::EPSILON {
-        Ok(vector)
-    } else if length > 0.0 && length.is_finite() {
+        return Ok(vector);
+    }
+    // Squares of components beyond these overflow or lose digits.
+    let largest = vector.amax();
+    if (1e-140..1e140).contains(&length) {
         Ok(vector / length)
+    } else if largest > 0.0 && vector.iter().all(|component| component.is_finite()) {
+        let scaled = vector.map(|component| component / largest);
+        Ok(scaled / scaled.norm())
     } else {
         Err(SceneError::NoDirection {
             what,
             vector: vector.into(),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_direction_does_not_depend_on_its_length() {
+        for length in [5e-324, 1e-200, 1e-160, 1e160, 1e200, f64::MAX] {
+            let along_x = unit("heading", Vector3::new(length, 0.0, 0.0));
+            assert_eq!(along_x, Ok(Vector3::x()), "length {length:e}");
+        }
+        assert!(unit("heading", Vector3::zeros()).is_err());
+        assert!(unit("heading", Vector3::new(1.0, f64::NAN, 0.0)).is_err());
+        assert!(unit("heading", Vector3::new(f64::INFINITY, 0.0, 0.0)).is_err());
     }
 }

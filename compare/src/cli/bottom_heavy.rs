@@ -23,10 +23,10 @@ pub(super) fn run(
     let runs = panel_runs(&models, &panels, &sweep);
     let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
     let stopped = account_for(&runs, &out);
-    if stopped && out.holds("bottom_heavy.csv") {
-        complain!("'bottom_heavy.csv' holds more already and stays as it is");
+    if stopped && out.holds("bottom-heavy.csv") {
+        complain!("'bottom-heavy.csv' holds more already and stays as it is");
     } else {
-        out.write("bottom_heavy.csv", &csv_text(&rows)?)?;
+        out.write("bottom-heavy.csv", &csv_text(&rows)?)?;
     }
     if !stopped && let Some(picture) = pictures::of_bottom_heavy(&runs)? {
         out.write(&picture.file_name, &picture.svg)?;

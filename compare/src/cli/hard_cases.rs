@@ -20,7 +20,7 @@ pub(super) fn run(general: &Arguments) -> Result<(), CompareError> {
         let of_group = rows.iter().filter(|row| row.case == group.name);
         print(group, of_group);
     }
-    out.write("hard_cases.csv", &csv_text(&rows)?)?;
+    out.write("hard-cases.csv", &csv_text(&rows)?)?;
     let broken = rows.iter().filter(|row| !row.holds).count();
     out.account().broken(broken, rows.len());
     out.account().verdict()?;

@@ -34,7 +34,7 @@ pub(super) fn section(
     let summary: Vec<_> = runs.iter().map(PanelRun::summary).collect();
     let trajectories = csv_text(&rows)?;
     account_for(&runs, out);
-    write_unless_less("bottom_heavy.csv", &trajectories, out)?;
+    write_unless_less("bottom-heavy.csv", &trajectories, out)?;
     let picture = pictures::of_bottom_heavy(&runs)?;
 
     let mut at_tolerance = *sweep;
@@ -53,11 +53,11 @@ pub(super) fn section(
     let mut shown = written(picture.into_iter().collect(), out)?;
     let mut tables = vec![Table {
         csv: trajectories,
-        file_name: "bottom_heavy.csv".to_owned(),
+        file_name: "bottom-heavy.csv".to_owned(),
         ..Table::from_rows(
             "What became of each panel's pair by t = 200, and how many times further down it went than \
              its members would have gone alone; the linked file has the trajectories.",
-            "bottom_heavy.csv",
+            "bottom-heavy.csv",
             &summary,
         )?
     }];

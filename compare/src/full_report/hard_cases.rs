@@ -8,7 +8,7 @@ use crate::{CompareError, ModelOptions};
 pub(super) fn section(options: &ModelOptions, out: &OutputFolder) -> Result<Section, CompareError> {
     let rows = all_rows(&Bench::set_up(options)?);
     let csv = csv_text(&rows)?;
-    out.write("hard_cases.csv", &csv)?;
+    out.write("hard-cases.csv", &csv)?;
     let broken = rows.iter().filter(|row| !row.holds).count();
     out.account().broken(broken, rows.len());
     let verdict = if broken == 0 {
@@ -29,7 +29,7 @@ pub(super) fn section(options: &ModelOptions, out: &OutputFolder) -> Result<Sect
         figures: Vec::new(),
         tables: vec![Table::from_csv(
             "What was measured, the largest value allowed, and where that bound comes from.",
-            "hard_cases.csv",
+            "hard-cases.csv",
             &csv,
         )?],
     })

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::CompareError;
 
-/// A line of `hard_cases.csv`.
+/// A line of `hard-cases.csv`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct HardCaseRow {
     /// The group.
