@@ -35,10 +35,10 @@ pub(super) fn outcome_colour(outcome: Option<Outcome>) -> RGBColor {
     }
 }
 
-/// Colour, in the panels of deflections, of pairs that do not part: on neither side of the scale.
+/// Colour, in the panels of deflections, of pairs that did not scatter: on neither side of the scale.
 const BOUND: RGBColor = RGBColor(120, 120, 120);
 
-/// Whether a pair parts, so that it has a deflection.
+/// Whether a pair scattered, so that it has a deflection.
 fn parts(row: &ScatterRow) -> bool {
     row.outcome() == Some(Outcome::Scattered)
 }
@@ -61,7 +61,7 @@ pub fn scatter(rows: &[ScatterRow]) -> Result<String, FigureError> {
             .collect(),
     ];
     if rows.iter().any(|row| !parts(row)) {
-        let text = "no deflection: the pair does not part".to_owned();
+        let text = "no deflection shown: not scattered".to_owned();
         legend.push(vec![(Key::Patch(BOUND), text)]);
     }
     let plot = (SIDE, SIDE);
