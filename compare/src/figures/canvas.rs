@@ -527,6 +527,7 @@ impl Panel<'_, '_> {
         (enters < leaves).then_some((enters, leaves))
     }
 
+    /// A marker at a point, if the plot shows the point.
     pub(super) fn marker(
         &self,
         at: (f64, f64),
@@ -534,6 +535,9 @@ impl Panel<'_, '_> {
         shape: Shape,
         filled: bool,
     ) -> Result<(), FigureError> {
+        if !self.shows(at, 0.0) {
+            return Ok(());
+        }
         self.canvas.marker(self.place(at), colour, shape, filled)
     }
 

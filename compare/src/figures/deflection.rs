@@ -158,7 +158,9 @@ pub(super) fn padded(values: impl IntoIterator<Item = f64>, share: f64) -> Range
     if low > high {
         return 0.0..1.0;
     }
-    let margin = (share * (high - low)).max(1e-3 * high.abs()).max(1e-6);
+    // Ticks are written with six decimals: about a constant they need room to differ.
+    let least = if high - low < 1e-5 { 0.5 } else { 1e-6 };
+    let margin = (share * (high - low)).max(1e-3 * high.abs()).max(least);
     low - margin..high + margin
 }
 

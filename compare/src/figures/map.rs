@@ -35,6 +35,14 @@ pub(super) fn outcome_colour(outcome: Option<Outcome>) -> RGBColor {
     }
 }
 
+/// Colour, in the panels of deflections, of pairs that did not scatter: on neither side of the scale.
+const BOUND: RGBColor = RGBColor(120, 120, 120);
+
+/// Whether a pair scattered, so that it has a deflection.
+fn parts(row: &ScatterRow) -> bool {
+    row.outcome() == Some(Outcome::Scattered)
+}
+
 /// Draws one map: the rows of a grid, each `Sigma` a line of `Delta`.
 ///
 /// # Errors
@@ -47,15 +55,20 @@ pub fn scatter(rows: &[ScatterRow]) -> Result<String, FigureError> {
         title += &format!(", G = {}", number(first.g));
     }
     let present = |o: &Outcome| rows.iter().any(|row| row.outcome() == Some(*o));
-    let legend: Vec<Vec<Entry>> = vec![
+    let mut legend: Vec<Vec<Entry>> = vec![
         (Outcome::ALL.into_iter().filter(present))
             .map(|o| (Key::Patch(outcome_colour(Some(o))), o.to_string()))
             .collect(),
     ];
+    if rows.iter().any(|row| !parts(row)) {
+        let text = "no deflection shown: not scattered".to_owned();
+        legend.push(vec![(Key::Patch(BOUND), text)]);
+    }
     let plot = (SIDE, SIDE);
     let cell = LEFT + SIDE + RIGHT + heat::BAR_ROOM;
-    let width = 4.0 * cell - heat::BAR_ROOM;
-    let legend_top = TITLE + ABOVE + SIDE + BELOW + 8.0;
+    let storey = ABOVE + SIDE + BELOW;
+    let width = 2.0 * cell;
+    let legend_top = TITLE + 2.0 * storey + 8.0;
     let height = legend_top + legend_height(&legend, width);
     let angle = (rows
         .iter()
@@ -64,11 +77,18 @@ pub fn scatter(rows: &[ScatterRow]) -> Result<String, FigureError> {
     .fold(30.0, f64::max);
     let angle = (angle / 30.0).ceil() * 30.0;
     picture((width, height), &title, |canvas| {
-        let corner = |column: usize| (cell * column as f64 + LEFT, TITLE + ABOVE);
+        // Two by two: four in a row are wider than a page.
+        let corner = |panel: usize| {
+            let (column, row) = ((panel % 2) as f64, (panel / 2) as f64);
+            (cell * column + LEFT, TITLE + ABOVE + storey * row)
+        };
         for k in [0, 1] {
             let colours = rows.iter().map(|row| {
                 let deflection = [row.deflection1_deg, row.deflection2_deg][k];
-                heat::diverging(deflection / angle)
+                match parts(row) {
+                    true => heat::diverging(deflection / angle),
+                    false => BOUND,
+                }
             });
             let title = format!("Deflection of squirmer {}", k + 1);
             draw(canvas, corner(k), title, plot, colours)?;

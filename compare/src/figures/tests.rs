@@ -135,3 +135,9 @@ fn numbers_are_short() {
     assert_eq!(number(0.1 + 0.2), "0.3");
     assert_eq!(number(-5.0), "−5");
 }
+
+#[test]
+fn values_that_are_all_zero_have_an_axis_with_distinct_ticks() {
+    let y = super::deflection::padded([0.0, 0.0], 0.06);
+    assert!(y.end - y.start >= 1e-3, "{y:?}");
+}

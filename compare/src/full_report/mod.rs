@@ -204,13 +204,25 @@ impl Content {
     }
 }
 
+/// A caption that begins with the title of its picture: which model and which parameters it shows.
+fn captioned(svg: &str, text: &str) -> String {
+    let title = (svg.split_once("aria-label=\""))
+        .and_then(|(_, rest)| rest.split_once('"'))
+        .map_or("", |(title, _)| title);
+    if title.is_empty() {
+        text.to_owned()
+    } else {
+        format!("{title}. {text}")
+    }
+}
+
 /// Writes pictures to their files and makes figures of them.
 fn written(pictures: Vec<Picture>, out: &OutputFolder) -> Result<Vec<Figure>, CompareError> {
     (pictures.into_iter())
         .map(|Picture { file_name, svg }| {
             write_unless_less(&file_name, &svg, out)?;
             Ok(Figure {
-                caption: words::caption(&file_name).to_owned(),
+                caption: captioned(&svg, words::caption(&file_name)),
                 svg,
             })
         })

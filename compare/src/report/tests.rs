@@ -102,3 +102,12 @@ fn fields_with_commas_are_quoted() {
     assert!(table.csv.contains("\"noise, not tolerance\""));
     assert_eq!(table.records[0].len(), table.headers.len());
 }
+
+#[test]
+fn long_texts_wrap_and_print_is_not_cut_off() {
+    let html = render(&page());
+    let cells = html.lines().find(|line| line.starts_with("th, td {"));
+    assert!(cells.is_some_and(|rule| !rule.contains("nowrap")));
+    let print = html.split_once("@media print").expect("a print style").1;
+    assert!(print.contains("overflow: visible") && print.contains("break-inside: avoid"));
+}
