@@ -2,27 +2,42 @@
 
 use scene::{Exchange, LoadSet, ModeLoads, PairLoads, SelfOther, SwirlLoads, SwirlModeLoads};
 
-/// Errors fall at least by this factor over two levels, by three a level. Against `exact`, with 34 loads at 11 gaps
-/// from 0.001 to 1, the fall from a level to the next is 4.6, 4.1 and 3.8 in the middle for levels 2, 3 and 4, so that
-/// errors go with the power 4.6 to 5.3 of the size of panels; it is above 2.4 for nine in ten. (What falls less is
-/// where an error changes its sign, and small beside its neighbours.)
-const TWO_LEVELS: f64 = 9.0;
+/// Errors are taken to fall at least by this factor over two levels, by two a level. Against `exact`, with 34 loads
+/// at gaps from 0.001 to 1, the fall from a level to the next is 4.6, 4.1 and 3.8 in the middle for levels 2, 3 and
+/// 4, so that errors go with the power 4.6 to 5.3 of the size of panels. It is above 2.4 for nine in ten, but below 2
+/// for one in twenty, where an error changes its sign nearby. With 9, by three a level, 2 of 816 loads were
+/// off by more than their estimate at levels 3 to 5; with 4 none.
+const TWO_LEVELS: f64 = 4.0;
 
 /// No load is trusted this much more than the worst one: all come from the same densities.
 const TRUST: f64 = 0.01;
+
+/// Factors on the estimates at levels 0, 1 and 2; finer ones need none.
+const CAUTION: [f64; 3] = [3.0, 3.0, 2.0];
+
+/// What is done to the estimate of a load by itself.
+#[derive(Clone, Copy)]
+struct Caution {
+    factor: f64,
+    /// Smallest estimate, relative to the larger of the load and 1.
+    least: f64,
+}
 
 /// An error estimate for each load, in the units of the load itself and never negative.
 ///
 /// With `q_l` the sum or the difference of a load's scalars at level l, which are solved for apart, it is
 ///
 /// ```text
-/// E = max(|q_l - q_(l-1)|, |q_(l-1) - q_(l-2)|/9),
+/// E = max(|q_l - q_(l-1)|, |q_(l-1) - q_(l-2)|/4),
 /// ```
 ///
 /// and for the scalars themselves, self and other alike, half of the sum of both. Two levels may agree by chance
 /// where the error changes its sign; three hardly do, nor both sum and difference. What is below a hundredth of the
-/// largest estimate, each relative to the larger of the load and 1, is raised to that. Levels 1 and 2 have
-/// coarser ones that are used for nothing else; those are so coarse that the estimate there is the more cautious.
+/// largest estimate, each relative to the larger of the load and 1, is raised to that.
+///
+/// Levels 1 and 2 are compared with levels 0 and -1, which are used for nothing else and so coarse that their errors do
+/// not fall evenly: there errors were up to 2.0 (level 1, X12A at gap 0.02) and 1.004 (level 2) times E. Estimates are
+/// `3 E` at level 1 and `2 E` at level 2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimates {
     /// For each load its estimate: [`PairLoads::named`] lists them under the names of the loads. For a set of a
@@ -34,25 +49,33 @@ pub struct Estimates {
 }
 
 impl Estimates {
-    /// From the loads of three levels, the finest first.
-    pub(crate) fn of_levels(set: LoadSet, levels: [&(PairLoads, SwirlLoads); 3]) -> Self {
+    /// From the loads of `level` and the two coarser ones, the finest first.
+    pub(crate) fn of_levels(
+        level: usize,
+        set: LoadSet,
+        levels: [&(PairLoads, SwirlLoads); 3],
+    ) -> Self {
+        let caution = Caution {
+            factor: CAUTION.get(level).copied().unwrap_or(1.0),
+            least: 0.0,
+        };
         let (loads, swirl) = levels[0];
-        let largest = Self::above(0.0, set, levels).largest(loads, swirl);
-        Self::above(TRUST * largest, set, levels)
+        let largest = Self::with(caution, set, levels).largest(loads, swirl);
+        let least = TRUST * largest;
+        Self::with(Caution { least, ..caution }, set, levels)
     }
 
-    /// The same, none below `least` times the larger of its load and 1.
-    fn above(least: f64, set: LoadSet, levels: [&(PairLoads, SwirlLoads); 3]) -> Self {
+    fn with(caution: Caution, set: LoadSet, levels: [&(PairLoads, SwirlLoads); 3]) -> Self {
         let loads = levels.map(|level| &level.0);
         let swirl = levels.map(|level| &level.1);
         let rigid = |exchange, part: fn(&PairLoads) -> SelfOther| {
-            of_scalars(least, exchange, loads.map(part))
+            caution.of_scalars(exchange, loads.map(part))
         };
         let by_mode = |n: usize, part: fn(&ModeLoads) -> SelfOther| {
-            of_scalars(least, set.exchange, loads.map(|l| part(&l.mode(n))))
+            caution.of_scalars(set.exchange, loads.map(|l| part(&l.mode(n))))
         };
         let by_swirl = |n: usize, part: fn(&SwirlModeLoads) -> SelfOther| {
-            of_scalars(least, Exchange::None, swirl.map(|s| part(&s.modes()[n])))
+            caution.of_scalars(Exchange::None, swirl.map(|s| part(&s.modes()[n])))
         };
         let rigid = [
             rigid(set.exchange, |l| l.xa),
@@ -89,22 +112,26 @@ impl Estimates {
     }
 }
 
-/// Of three levels' scalars, for `own` and `other`, or for the sum and the difference where a symmetry
-/// makes a set read one of these alone.
-fn of_scalars(least: f64, exchange: Exchange, levels: [SelfOther; 3]) -> SelfOther {
-    let raised = |estimate: f64, load: f64| estimate.max(least * load.abs().max(1.0));
-    let fine = levels[0];
-    let sum = of_numbers(levels.map(|s| s.sum));
-    let difference = of_numbers(levels.map(|s| s.difference));
-    match exchange {
-        Exchange::None => {
-            let either = f64::midpoint(sum, difference);
-            SelfOther::new(raised(either, fine.own()), raised(either, fine.other()))
+impl Caution {
+    /// Of three levels' scalars, for `own` and `other`, or for the sum and the difference where a symmetry
+    /// makes a set read one of these alone.
+    fn of_scalars(self, exchange: Exchange, levels: [SelfOther; 3]) -> SelfOther {
+        let raised = |estimate: f64, load: f64| {
+            (self.factor * estimate).max(self.least * load.abs().max(1.0))
+        };
+        let fine = levels[0];
+        let sum = of_numbers(levels.map(|s| s.sum));
+        let difference = of_numbers(levels.map(|s| s.difference));
+        match exchange {
+            Exchange::None => {
+                let either = f64::midpoint(sum, difference);
+                SelfOther::new(raised(either, fine.own()), raised(either, fine.other()))
+            }
+            Exchange::Point | Exchange::Mirror => SelfOther {
+                sum: raised(sum, fine.sum),
+                difference: raised(difference, fine.difference),
+            },
         }
-        Exchange::Point | Exchange::Mirror => SelfOther {
-            sum: raised(sum, fine.sum),
-            difference: raised(difference, fine.difference),
-        },
     }
 }
 
@@ -122,7 +149,7 @@ mod tests {
     #[test]
     fn two_levels_that_agree_by_chance_are_not_believed() {
         let estimate = of_numbers([1.0, 1.0, 1.9]);
-        approx::assert_relative_eq!(estimate, 0.1, max_relative = 1e-12);
+        approx::assert_relative_eq!(estimate, 0.9 / TWO_LEVELS, max_relative = 1e-12);
     }
 
     #[test]
@@ -137,7 +164,7 @@ mod tests {
             (loads, swirl)
         };
         let [fine, middle] = [level(0.25), level(0.0)];
-        let found = Estimates::of_levels(set, [&fine, &middle, &middle]);
+        let found = Estimates::of_levels(3, set, [&fine, &middle, &middle]);
         let largest = found.largest(&fine.0, &fine.1);
         approx::assert_relative_eq!(largest, 0.75, epsilon = 1e-14);
         let all = (found.loads.named().into_iter()).chain(found.swirl.named());
@@ -162,7 +189,7 @@ mod tests {
             (loads, SwirlLoads::isolated(set))
         };
         let [fine, middle] = [level(0.25), level(0.0)];
-        let found = Estimates::of_levels(set, [&fine, &middle, &middle]);
+        let found = Estimates::of_levels(3, set, [&fine, &middle, &middle]);
         let (name, estimate) = found.loads.named().remove(0);
         assert_eq!(name, "X11A - X12A");
         approx::assert_relative_eq!(estimate, 0.5, max_relative = 1e-12);

@@ -145,7 +145,7 @@ impl Bem {
         let coarser = [of(&self.coarser[0])?, of(&self.coarser[1])?];
         let [middle, coarse] = &coarser;
         let levels = [&(solution.loads, solution.swirl), middle, coarse];
-        Ok((solution, Estimates::of_levels(set, levels)))
+        Ok((solution, Estimates::of_levels(self.level, set, levels)))
     }
 
     /// The model's own estimate of the error of each load at `gap`, absolute; see [`Estimates`].

@@ -77,17 +77,21 @@ fn worst_over_estimate(level: usize, eps: f64) -> (String, f64) {
 }
 
 #[test]
-fn val_every_load_is_within_its_own_estimate_near_the_smallest_gaps() {
+fn val_every_load_is_within_its_own_estimate() {
     // Levels 3 and 4 agree on X12A about gap 0.0015, where both are off.
-    for (level, gaps) in [
-        (3, &[0.001, 0.0015, 0.002][..]),
-        (4, &[0.001, 0.0015, 0.002]),
-    ] {
+    const CLOSE: [f64; 3] = [0.001, 0.0015, 0.002];
+    const APART: [f64; 5] = [0.004, 0.006, 0.02, 0.1, 1.0];
+    let of_levels = [(1, &APART[..]), (2, &APART), (3, &CLOSE), (4, &CLOSE)];
+    let mut over = Vec::new();
+    for (level, gaps) in of_levels {
         for &eps in gaps {
             let (name, ratio) = worst_over_estimate(level, eps);
-            assert!(ratio <= 1.0, "{name} at {eps}, level {level}: {ratio}");
+            if ratio > 1.0 {
+                over.push(format!("{name} at {eps}, level {level}: {ratio}"));
+            }
         }
     }
+    assert!(over.is_empty(), "{over:?}");
 }
 
 #[test]
