@@ -9,7 +9,7 @@
 //! A mesh is refined towards one neighbour alone. Every other neighbour meets panels that are larger, and a
 //! gap that these do not resolve would give loads without a single right digit: such gaps are refused
 //! ([`BemError::GapUnresolved`]). At the smallest gap that a level accepts, whatever the place of the
-//! contact on the mesh, every load of a pair was found within 0.6 % of `exact` (`tests/lab.rs`).
+//! contact on the mesh, every load of a pair was found within 1 % of `exact` (`tests/lab.rs`).
 
 mod resolution;
 

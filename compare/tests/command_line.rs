@@ -226,7 +226,7 @@ fn every_command_that_a_time_limit_stops_says_so_and_keeps_a_whole_earlier_file(
         ("head-on", "head-on.csv"),
         ("orthogonal", "orthogonal.csv"),
         ("offset", "offset.csv"),
-        ("bottom-heavy", "bottom_heavy.csv"),
+        ("bottom-heavy", "bottom-heavy.csv"),
     ] {
         let folder = tempfile::tempdir().unwrap();
         let whole = squirmers(folder.path(), &[command, "--method", "lt"]);

@@ -2,7 +2,7 @@
 //!
 //! A mesh whose refined pole is turned to the neighbour resolves what the model of a pair does at this level. Anywhere
 //! else on the mesh panels must not be more than twice as wide as the gap. Both limits are where every load of a pair was
-//! found within 0.6 % of `exact`; at half the gap X11A is off by several per cent, at a tenth it has no right digit.
+//! found within 1 % of `exact`; at half the gap X11A is off by several per cent, at a tenth it has no right digit.
 
 use nalgebra::Vector3;
 

@@ -3,15 +3,14 @@
 use std::time::Duration;
 
 use comfy_table::{CellAlignment, Table, presets};
-use scene::{Gap, Hydrodynamics, LoadSet, MAX_MODES, RunOptions};
-use serde::Serialize;
+use scene::{LoadSet, MAX_MODES, RunOptions};
 
 use super::args::{Arguments, Command, EncounterArguments, ModelArguments, RunArguments};
 use super::many::{PRINTED, checked_count, drop_undrawn, keep_first, print_rest, say_undrawn};
 use super::maps;
 use crate::kept_rows::{Drawn, KeptRows};
 use crate::numbers::Numbers;
-use crate::output::{OutputFolder, csv_text};
+use crate::output::csv_text;
 use crate::scene_file::SAMPLE_INTERVAL;
 use crate::streams::say;
 use crate::sweep::SweepOptions;

@@ -168,12 +168,12 @@ pub(super) fn trust(arguments: &TrustArguments, general: &Arguments) -> Result<(
     let mut betas: Vec<f64> = pairs.iter().map(|pair| pair.beta).collect();
     betas.dedup();
     let states = maps::bound_rows(&all, &betas)?;
-    run.out.write("bound_states.csv", &csv_text(&states)?)?;
+    run.out.write("bound-states.csv", &csv_text(&states)?)?;
     let in_plane: Vec<TrustRow> = (rows.into_iter())
         .filter(|row| row.g == 0.0 && row.dz == 0.0)
         .collect();
     let examples = maps::bound_examples(&in_plane, &states);
-    run.out.write("trust_examples.csv", &csv_text(&examples)?)?;
+    run.out.write("trust-examples.csv", &csv_text(&examples)?)?;
     say!("");
     print_examples(&examples);
     run.out.account().verdict()

@@ -169,7 +169,7 @@ impl Maps<'_> {
         let examples = bound_examples(&trusted, &states);
         let (csv, states_csv) = (csv_text(&trusted)?, csv_text(&states)?);
         self.out.write("trust.csv", &csv)?;
-        self.out.write("bound_states.csv", &states_csv)?;
+        self.out.write("bound-states.csv", &states_csv)?;
         let shares = maps::trust_shares(&trusted);
         let table = Table::from_rows(
             "Shares of the plane by how far lubrication theory is from exact hydrodynamics; the linked file \
@@ -191,14 +191,14 @@ impl Maps<'_> {
                      and what the other model has of that state (where both bind, exact hydrodynamics of \
                      lubrication theory's): none, an unstable one with its gap and growth rate by linearised \
                      motion, or one that attracts but is not reached from there.",
-                    "trust_examples.csv",
+                    "trust-examples.csv",
                     &examples,
                 )?,
                 Table::from_csv(
                     "All bound states with gaps below 1, stable or not: fixed points of gap and orientations \
                      as seen along the line of centres, by Newton's method from all over the plane. Mirror \
                      images are left out.",
-                    "bound_states.csv",
+                    "bound-states.csv",
                     &states_csv,
                 )?,
             ],
@@ -216,7 +216,7 @@ impl Maps<'_> {
             .filter(|m| m.method() != Method::Exact)
             .collect();
         let grid = Grid::new(OFFSET_GRID)?;
-        let (exact, sweep, name) = (self.exact, self.sweep, "trust_offset");
+        let (exact, sweep, name) = (self.exact, self.sweep, "trust-offset");
         let rows = maps::trust_as(name, &judged, exact, &pairs, grid, sweep, self.out)?;
         let Some(rows) = rows else {
             sections.push(unfinished("trust-offset", title));
@@ -224,7 +224,7 @@ impl Maps<'_> {
         };
         let shares = maps::trust_shares(&rows);
         let csv = csv_text(&shares)?;
-        self.out.write("trust_offset.csv", &csv)?;
+        self.out.write("trust-offset.csv", &csv)?;
         let drawn = pictures::of_trust_against_offset(&shares)?;
         sections.push(Section {
             id: "trust-offset".to_owned(),
@@ -235,7 +235,7 @@ impl Maps<'_> {
                     .to_owned(),
             ],
             figures: written(drawn, self.out)?,
-            tables: vec![Table::from_csv("Shares of the plane.", "trust_offset.csv", &csv)?],
+            tables: vec![Table::from_csv("Shares of the plane.", "trust-offset.csv", &csv)?],
         });
         Ok(())
     }

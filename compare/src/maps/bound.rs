@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::trust::{TrustRow, same_map};
 use crate::{CompareError, Method, Model};
 
-/// A bound state of two equal squirmers, a line of `bound_states.csv`; its mirror image and the exchange
+/// A bound state of two equal squirmers, a line of `bound-states.csv`; its mirror image and the exchange
 /// of the two are states too.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BoundRow {
@@ -75,7 +75,7 @@ fn states(model: &Model, squirmer: &Squirmer) -> Result<Vec<BoundState>, SceneEr
 }
 
 /// Starts from which one model binds the pair and the other parts it or binds it otherwise, a line of
-/// `trust_examples.csv`: one example for each kind, with what the other model has of that state (of
+/// `trust-examples.csv`: one example for each kind, with what the other model has of that state (of
 /// lubrication theory's, where both bind).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BoundExample {
