@@ -35,7 +35,15 @@ pub fn parse_numbers(text: &str) -> Result<Numbers, String> {
             ));
         }
     }
-    Ok(Numbers(numbers))
+    let mut sorted = numbers.clone();
+    sorted.sort_by(f64::total_cmp);
+    match sorted
+        .windows(2)
+        .find(|two| two[0].total_cmp(&two[1]).is_eq())
+    {
+        Some(two) => Err(format!("{:?} is in the list twice: once is enough", two[0])),
+        None => Ok(Numbers(numbers)),
+    }
 }
 
 fn number(text: &str) -> Result<f64, String> {
@@ -62,12 +70,22 @@ fn range(from: f64, to: f64, step: f64, numbers: &mut Vec<f64>) -> Result<(), St
     }
     // The last point may be missed by rounding only.
     let last = (count + 1e-9).floor() as usize;
-    numbers.extend((0..=last).map(|i| {
-        let value = from + i as f64 * step;
-        // 0.1 * 3 is not 0.3: take away what is below the digits that the user can have meant.
-        (value * 1e12).round() / 1e12
-    }));
+    numbers.extend((0..=last).map(|i| as_typed(from + i as f64 * step, step)));
     Ok(())
+}
+
+/// A number of a range as it would have been typed: 0.1 * 3 is not 0.3, so what lies twelve digits below the step is
+/// rounding.
+fn as_typed(value: f64, step: f64) -> f64 {
+    let digits = 12 - step.abs().log10().floor() as i32;
+    let scale = 10_f64.powi(digits.clamp(0, 300));
+    let scaled = value * scale;
+    // Where a whole number no longer tells its neighbours apart there is nothing to round.
+    if scaled.abs() < 9e15 {
+        scaled.round() / scale
+    } else {
+        value
+    }
 }
 
 #[cfg(test)]
@@ -79,6 +97,24 @@ mod tests {
         let numbers = parse_numbers("0:0.5:0.1").unwrap().0;
         assert_eq!(numbers, [0.0, 0.1, 0.2, 0.3, 0.4, 0.5]);
         assert_eq!(parse_numbers("2:-2:-2").unwrap().0, [2.0, 0.0, -2.0]);
+    }
+
+    #[test]
+    fn ranges_of_tiny_numbers_keep_their_digits() {
+        let numbers = parse_numbers("1e-14:3e-14:1e-14").unwrap().0;
+        for (found, expected) in numbers.iter().zip([1e-14, 2e-14, 3e-14]) {
+            assert!((found / expected - 1.0).abs() < 1e-12, "{numbers:?}");
+        }
+        let numbers = parse_numbers("1e-9:1e-8:4.5e-9").unwrap().0;
+        assert_eq!(numbers, [1e-9, 5.5e-9, 1e-8]);
+    }
+
+    #[test]
+    fn a_number_that_is_there_twice_is_refused() {
+        for text in ["1,2,1", "0:1:0.5,0.5"] {
+            let error = parse_numbers(text).unwrap_err();
+            assert!(error.contains("twice"), "{error}");
+        }
     }
 
     #[test]

@@ -431,3 +431,9 @@ fn distances_at_which_no_angle_can_be_read_are_refused() {
         "--departure",
     );
 }
+
+#[test]
+fn what_is_listed_twice_is_refused() {
+    refused(&["head-on", "--dx", "1,2,1", "--method", "lt"], "twice");
+    refused(&["head-on", "--dx", "1", "--method", "lt,lt"], "twice");
+}

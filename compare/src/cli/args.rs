@@ -201,9 +201,13 @@ fn parse_methods(text: &str) -> Result<Methods, String> {
             let known: Vec<_> = Method::ALL.iter().map(|m| m.name()).collect();
             format!("'{name}' is not a method: use {}", known.join(", "))
         })?;
-        if !methods.contains(&method) {
-            methods.push(method);
+        if methods.contains(&method) {
+            return Err(format!(
+                "'{}' is in the list twice: once is enough",
+                method.name()
+            ));
         }
+        methods.push(method);
     }
     Ok(Methods(methods))
 }

@@ -10,7 +10,6 @@ use super::many::{PRINTED, checked_count, drop_undrawn, keep_first, print_rest, 
 use super::maps;
 use crate::kept_rows::{Drawn, KeptRows};
 use crate::numbers::Numbers;
-use crate::output::csv_text;
 use crate::scene_file::SAMPLE_INTERVAL;
 use crate::streams::say;
 use crate::sweep::SweepOptions;
@@ -252,6 +251,7 @@ fn offset(
             "change 1 [deg]",
             "change 2 [deg]",
             "min gap",
+            "outcome",
         ],
         rows.iter().take(PRINTED).map(|row| {
             vec![

@@ -89,7 +89,7 @@ pub fn deflection(encounters: &[Encounter]) -> Result<String, FigureError> {
             let panel = canvas.panel(corner, plot, axes)?;
             draw_zero(&panel, &x)?;
             for curve in &curves {
-                draw(&panel, curve, k, &y)?;
+                draw(&panel, curve, k)?;
             }
         }
         canvas.legend(&legend, legend_top, width)
@@ -174,13 +174,13 @@ pub(super) fn draw_zero(panel: &Panel<'_, '_>, x: &Range<f64>) -> Result<(), Fig
     panel.line(&[(x.start, 0.0), (x.end, 0.0)], stroke)
 }
 
-fn draw(panel: &Panel<'_, '_>, curve: &Curve, k: usize, y: &Range<f64>) -> Result<(), FigureError> {
+fn draw(panel: &Panel<'_, '_>, curve: &Curve, k: usize) -> Result<(), FigureError> {
     for run in curve.dots.chunk_by(|a, b| a.scattered && b.scattered) {
         let line: Vec<_> = run.iter().map(|d| (d.dx, d.degrees[k])).collect();
         panel.line(&line, curve.stroke)?;
     }
     for dot in &curve.dots {
-        let at = (dot.dx, dot.degrees[k].clamp(y.start, y.end));
+        let at = (dot.dx, dot.degrees[k]);
         panel.marker(at, curve.stroke.colour, curve.shape, dot.scattered)?;
     }
     Ok(())
