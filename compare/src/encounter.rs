@@ -79,7 +79,7 @@ pub struct EncounterRow {
     /// Smallest gap.
     pub min_gap: f64,
     /// Time spent at gaps up to 1 (the paper's tau).
-    pub duration: f64,
+    pub tau: f64,
     /// Outcome, `failed`, or `skipped` where the time limit came first.
     pub outcome: String,
     /// Accepted steps of the integrator.
@@ -106,7 +106,7 @@ impl Encounter {
             deflection2_deg: number(|run| run.deflections()[1].to_degrees()),
             truncation_deg: number(|run| run.truncation.to_degrees()),
             min_gap: number(|run| run.min_gap),
-            duration: number(|run| run.contact_time),
+            tau: number(|run| run.contact_time),
             outcome: self.outcome(),
             steps: run.map_or(0, |run| run.counters.steps),
             loads: run.map_or(0, |run| run.counters.loads),

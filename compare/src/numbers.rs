@@ -74,6 +74,30 @@ fn range(from: f64, to: f64, step: f64, numbers: &mut Vec<f64>) -> Result<(), St
     Ok(())
 }
 
+/// A number as a person reads it: with an exponent where it would otherwise be a row of zeros.
+#[must_use]
+pub(crate) fn written(value: f64) -> String {
+    if is_plain(value) {
+        format!("{value}")
+    } else {
+        format!("{value:e}")
+    }
+}
+
+/// The same with a number of digits after the point.
+#[must_use]
+pub(crate) fn rounded(value: f64, digits: usize) -> String {
+    if is_plain(value) {
+        format!("{value:.digits$}")
+    } else {
+        format!("{value:.digits$e}")
+    }
+}
+
+fn is_plain(value: f64) -> bool {
+    value == 0.0 || !value.is_finite() || (1e-4..1e6).contains(&value.abs())
+}
+
 /// A number of a range as it would have been typed: 0.1 * 3 is not 0.3, so what lies twelve digits below the step is
 /// rounding.
 fn as_typed(value: f64, step: f64) -> f64 {
@@ -97,6 +121,21 @@ mod tests {
         let numbers = parse_numbers("0:0.5:0.1").unwrap().0;
         assert_eq!(numbers, [0.0, 0.1, 0.2, 0.3, 0.4, 0.5]);
         assert_eq!(parse_numbers("2:-2:-2").unwrap().0, [2.0, 0.0, -2.0]);
+    }
+
+    #[test]
+    fn numbers_are_read_without_rows_of_zeros() {
+        for (value, text) in [
+            (0.0, "0"),
+            (1e-300, "1e-300"),
+            (0.0001, "0.0001"),
+            (999_999.0, "999999"),
+            (-2.5e7, "-2.5e7"),
+        ] {
+            assert_eq!(written(value), text);
+        }
+        assert_eq!(rounded(2.5e299, 3), "2.500e299");
+        assert_eq!(rounded(0.25, 3), "0.250");
     }
 
     #[test]

@@ -437,3 +437,33 @@ fn what_is_listed_twice_is_refused() {
     refused(&["head-on", "--dx", "1,2,1", "--method", "lt"], "twice");
     refused(&["head-on", "--dx", "1", "--method", "lt,lt"], "twice");
 }
+
+#[test]
+fn tables_fit_a_terminal_and_keep_their_numbers_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    fn lt<'a>(command: &[&'a str]) -> Vec<&'a str> {
+        [command, &["--method", "lt,lt-corrected"]].concat()
+    }
+    for (arguments, whole) in [
+        (
+            lt(&["head-on", "--beta", "-5", "--dx", "1,2.5", "--dz", "0.25"]),
+            "lt-corrected",
+        ),
+        (lt(&["offset", "--dz", "0.25"]), "scattered"),
+        (lt(&["scatter", "--grid", "4"]), "100.00"),
+        (
+            lt(&["fates", "--beta", "-5", "--grid", "4"]),
+            "lt-corrected",
+        ),
+        (lt(&["bottom-heavy"]), "downward"),
+        (lt(&["loads", "--gap", "1e-12"]), "e-12"),
+    ] {
+        let output = squirmers(folder.path(), &arguments);
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(output.status.success(), "{arguments:?}");
+        for line in text.lines() {
+            assert!(line.chars().count() <= 80, "{arguments:?}: {line}");
+        }
+        assert!(text.contains(whole), "{arguments:?}: {text}");
+    }
+}

@@ -6,13 +6,13 @@ use crate::LoadSet;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneError {
     /// A gap that is not a positive finite number: the spheres overlap or touch.
-    #[error("gap {eps} is not allowed: the gap between the spheres must be positive and finite")]
+    #[error("gap {eps:?} is not allowed: the gap between the spheres must be positive and finite")]
     InvalidGap {
         /// The gap, in sphere radii.
         eps: f64,
     },
     /// A number that must be finite and is not.
-    #[error("{what} {value} is not allowed: it must be a finite number")]
+    #[error("{what} {value:?} is not allowed: it must be a finite number")]
     NotFinite {
         /// What the number is.
         what: &'static str,
@@ -20,7 +20,7 @@ pub enum SceneError {
         value: f64,
     },
     /// A number that must be positive and is not.
-    #[error("{what} {value} is not allowed: it must be positive")]
+    #[error("{what} {value:?} is not allowed: it must be positive")]
     NotPositive {
         /// What the number is.
         what: &'static str,
@@ -28,7 +28,7 @@ pub enum SceneError {
         value: f64,
     },
     /// A distance of the centres at which the spheres would overlap or touch.
-    #[error("{what} {distance} is not allowed: it must be greater than 2 (radii)")]
+    #[error("{what} {distance:?} is not allowed: it must be greater than 2 (radii)")]
     NotApart {
         /// What the distance is.
         what: &'static str,

@@ -72,7 +72,7 @@ fn snapshot(name: &str, text: &str) {
 
 fn encounter_text(encounters: &[Encounter]) -> String {
     let mut text =
-        "method,beta,dx,deflection1_deg,deflection2_deg,min_gap,duration,outcome\n".to_owned();
+        "method,beta,dx,deflection1_deg,deflection2_deg,min_gap,tau,outcome\n".to_owned();
     for row in encounters.iter().map(Encounter::row) {
         text += &format!(
             "{},{},{},{:.8e},{:.8e},{:.8e},{:.8e},{}\n",
@@ -82,7 +82,7 @@ fn encounter_text(encounters: &[Encounter]) -> String {
             row.deflection1_deg,
             row.deflection2_deg,
             row.min_gap,
-            row.duration,
+            row.tau,
             row.outcome
         );
     }

@@ -63,7 +63,7 @@ fn print(runs: &[PanelRun]) {
         "delta",
         "sigma",
         "outcome",
-        "min gap",
+        "min gap [a]",
         "depth over alone",
     ];
     print_rows(

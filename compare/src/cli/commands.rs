@@ -2,14 +2,14 @@
 
 use std::time::Duration;
 
-use comfy_table::{CellAlignment, Table, presets};
+use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 use scene::{LoadSet, MAX_MODES, RunOptions};
 
 use super::args::{Arguments, Command, EncounterArguments, ModelArguments, RunArguments};
 use super::many::{PRINTED, checked_count, drop_undrawn, keep_first, print_rest, say_undrawn};
 use super::maps;
 use crate::kept_rows::{Drawn, KeptRows};
-use crate::numbers::Numbers;
+use crate::numbers::{Numbers, rounded, written};
 use crate::scene_file::SAMPLE_INTERVAL;
 use crate::streams::say;
 use crate::sweep::SweepOptions;
@@ -250,19 +250,19 @@ fn offset(
             "dz",
             "change 1 [deg]",
             "change 2 [deg]",
-            "min gap",
+            "min gap [a]",
             "outcome",
         ],
         rows.iter().take(PRINTED).map(|row| {
             vec![
                 row.case.clone(),
                 row.method.to_owned(),
-                format!("{}", row.beta),
-                format!("{}", row.dx),
-                format!("{}", row.dz),
-                format!("{:.6}", row.change1_deg),
-                format!("{:.6}", row.change2_deg),
-                format!("{:.5}", row.min_gap),
+                written(row.beta),
+                written(row.dx),
+                written(row.dz),
+                rounded(row.change1_deg, 6),
+                rounded(row.change2_deg, 6),
+                rounded(row.min_gap, 5),
                 row.outcome.clone(),
             ]
         }),
@@ -280,12 +280,11 @@ fn print_encounters(rows: &[EncounterRow]) {
         "beta",
         "dx",
         "dz",
-        "deflection 1 [deg]",
-        "deflection 2 [deg]",
-        "min gap",
-        "duration",
+        "turn 1 [deg]",
+        "turn 2 [deg]",
+        "min gap [a]",
+        "tau [a/V_s]",
         "outcome",
-        "steps",
         "seconds",
     ];
     print_rows(
@@ -293,15 +292,14 @@ fn print_encounters(rows: &[EncounterRow]) {
         rows.iter().map(|row| {
             vec![
                 row.method.to_owned(),
-                format!("{}", row.beta),
-                format!("{}", row.dx),
-                format!("{}", row.dz),
-                format!("{:.5}", row.deflection1_deg),
-                format!("{:.5}", row.deflection2_deg),
-                format!("{:.5}", row.min_gap),
-                format!("{:.4}", row.duration),
+                written(row.beta),
+                written(row.dx),
+                written(row.dz),
+                rounded(row.deflection1_deg, 5),
+                rounded(row.deflection2_deg, 5),
+                rounded(row.min_gap, 5),
+                format!("{:.4}", row.tau),
                 row.outcome.clone(),
-                format!("{}", row.steps),
                 format!("{:.2e}", row.seconds),
             ]
         }),
@@ -322,12 +320,20 @@ pub(crate) fn failure(encounter: &Encounter, reason: &NoRun) -> String {
     )
 }
 
+/// Characters in a line of a terminal.
+const TERMINAL: u16 = 80;
+
 pub(super) fn print_rows(header: &[&str], rows: impl Iterator<Item = Vec<String>>) {
     let mut table = Table::new();
     table.load_preset(presets::NOTHING).set_header(header);
+    // Headers wrap before a table is wider than a terminal.
+    table
+        .set_content_arrangement(ContentArrangement::Dynamic)
+        .set_width(TERMINAL);
     table.add_rows(rows);
     for column in table.column_iter_mut() {
         column.set_cell_alignment(CellAlignment::Right);
+        column.set_padding((0, 1));
     }
     say!("{table}");
 }

@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::args::{Arguments, ModelArguments};
 use super::commands::{model_options, print_rows};
 use super::many::{PRINTED, print_rest};
+use crate::numbers::{rounded, written};
 use crate::output::{OutputFolder, csv_text};
 use crate::{CompareError, Method, Model, ModelOptions, Numbers};
 
@@ -65,9 +66,9 @@ pub(super) fn run(
         rows.iter().take(PRINTED).map(|row| {
             vec![
                 row.method.to_owned(),
-                format!("{}", row.gap),
+                written(row.gap),
                 row.name.clone(),
-                format!("{:.9}", row.value),
+                rounded(row.value, 9),
                 row.error_estimate.clone(),
             ]
         }),

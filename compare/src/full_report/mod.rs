@@ -135,7 +135,7 @@ impl Content {
             prose: vec![prose.to_owned()],
             figures: written(of_encounters(approach, &encounters)?, out)?,
             tables: vec![Table::from_csv(
-                "Deflection is outgoing minus incoming angle; duration is the time spent at gaps up \
+                "Deflection is outgoing minus incoming angle; tau is the time spent at gaps up \
                  to 1; seconds are wall-clock time of the run without the table's set-up.",
                 &file_name,
                 &csv,
