@@ -80,7 +80,12 @@ fn gaps_that_are_not_positive_or_under_the_range_are_refused() {
 #[test]
 fn mesh_levels_and_threads_out_of_range_are_refused() {
     refused(&["loads", "--gap", "1", "--mesh", "99"], "99");
-    refused(&["loads", "--gap", "1", "--mesh", "-1"], "-1");
+    refused(
+        &["loads", "--gap", "1", "--mesh", "-1"],
+        "'-1' is not a level",
+    );
+    let unused = ["loads", "--gap", "1", "--method", "lt", "--mesh", "2"];
+    refused(&unused, "no boundary elements run");
     refused(&["loads", "--gap", "1", "--threads", "0"], "'0'");
     refused(&["head-on", "--time-limit", "-3"], "-3");
 }
@@ -141,9 +146,14 @@ fn loads_writes_all_twenty_two_numbers_of_each_method() {
 fn loads_writes_further_modes_and_swirl_where_they_are_asked_for() {
     let folder = tempfile::tempdir().unwrap();
     for method in ["lt", "exact", "bem"] {
-        let ask = ["--modes", "3", "--swirl", "2", "--mesh", "1", "--direct"];
+        let ask = ["--modes", "3", "--swirl", "2", "--direct"];
+        let mesh: &[&str] = if method == "bem" {
+            &["--mesh", "1"]
+        } else {
+            &[]
+        };
         let of = ["loads", "--gap", "0.5", "--method", method];
-        let output = squirmers(folder.path(), &[&of[..], &ask[..]].concat());
+        let output = squirmers(folder.path(), &[&of[..], &ask[..], mesh].concat());
         assert!(output.status.success());
         let rows = rows(&folder.path().join("loads.csv"));
         let names: Vec<_> = rows.iter().map(|row| row[2].to_owned()).collect();
@@ -466,4 +476,37 @@ fn tables_fit_a_terminal_and_keep_their_numbers_whole() {
         }
         assert!(text.contains(whole), "{arguments:?}: {text}");
     }
+}
+
+#[test]
+fn a_cache_that_is_no_folder_is_refused() {
+    let file = tempfile::NamedTempFile::new().unwrap();
+    let path = file.path().to_str().unwrap();
+    refused(
+        &["loads", "--gap", "1", "--method", "lt", "--cache", path],
+        path,
+    );
+}
+
+#[test]
+fn a_scene_below_the_smallest_gap_of_its_model_is_bad_input() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("near.toml");
+    let squirmer =
+        |x: f64| format!("[[squirmer]]\nposition = [{x:?}, 0.0]\norientation = 0.0\nbeta = 1.0\n");
+    let text = format!(
+        "hydrodynamics = \"bem\"\n{}{}",
+        squirmer(0.0),
+        squirmer(2.0001)
+    );
+    std::fs::write(&scene, text).unwrap();
+    refused(&["run", scene.to_str().unwrap()], "squirmer[1].position");
+}
+
+#[test]
+fn the_default_methods_in_help_are_those_that_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = squirmers(folder.path(), &["bottom-heavy", "--help"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("[default: lt,exact]"), "{text}");
 }

@@ -27,6 +27,14 @@ pub enum SceneError {
         /// The number.
         value: f64,
     },
+    /// Centres so far apart that squares of their distance are no numbers.
+    #[error("centres {distance:?} radii apart are not allowed: at most {allowed:?}")]
+    TooFar {
+        /// Distance along an axis, in sphere radii.
+        distance: f64,
+        /// Largest allowed.
+        allowed: f64,
+    },
     /// A distance of the centres at which the spheres would overlap or touch.
     #[error("{what} {distance:?} is not allowed: it must be greater than 2 (radii)")]
     NotApart {

@@ -6,6 +6,9 @@ use crate::effects::unit;
 use crate::squirmer::finite;
 use crate::{Gap, Gravity, Repulsion, SceneError, Squirmer};
 
+/// Largest distance of the centres along an axis, in radii: squares of it are still numbers.
+const FARTHEST: f64 = 1e150;
+
 /// A swimming direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Orientation {
@@ -95,9 +98,17 @@ impl Scene {
     /// The gap at the start.
     ///
     /// # Errors
-    /// [`SceneError::InvalidGap`] if the spheres overlap or touch.
+    /// [`SceneError::InvalidGap`] if the spheres overlap or touch, [`SceneError::TooFar`] if squares of their distance
+    /// cannot be formed.
     pub fn gap(&self) -> Result<Gap, SceneError> {
-        Gap::new((self.start[1].position - self.start[0].position).norm() - 2.0)
+        let separation = self.start[1].position - self.start[0].position;
+        if separation.amax() > FARTHEST {
+            return Err(SceneError::TooFar {
+                distance: separation.amax(),
+                allowed: FARTHEST,
+            });
+        }
+        Gap::new(separation.norm() - 2.0)
     }
 
     /// Number of squirming modes of the two.

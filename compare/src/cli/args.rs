@@ -101,8 +101,8 @@ pub(crate) enum Command {
     Fates(MapArguments),
     /// Bottom-heavy squirmers under gravity (Fig. 8a-f): trajectories of the six panels
     #[command(after_help = "Example:\n  squirmers bottom-heavy --method lt,exact,bem")]
+    #[command(mut_arg("method", maps::methods))]
     BottomHeavy {
-        /// Methods: lt (as published), lt-corrected, exact, bem [default: lt,exact]
         #[command(flatten)]
         models: ModelArguments,
         #[command(flatten)]
@@ -157,7 +157,7 @@ pub(crate) struct ModelArguments {
     #[arg(long, value_name = "LIST", value_parser = parse_methods)]
     pub method: Option<Methods>,
     /// Refinement level of the boundary elements
-    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    #[arg(long, value_name = "N", value_parser = parse_level, allow_hyphen_values = true)]
     pub mesh: Option<usize>,
     /// Solve for every load instead of reading it from a table
     #[arg(long)]
@@ -192,6 +192,13 @@ pub(crate) struct RunArguments {
 /// A list of methods, not empty, none twice.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Methods(pub Vec<Method>);
+
+fn parse_level(text: &str) -> Result<usize, String> {
+    let (lowest, highest) = bem::Bem::LEVELS;
+    (text.trim().parse().ok())
+        .filter(|level| (lowest..=highest).contains(level))
+        .ok_or_else(|| format!("'{text}' is not a level: levels go from {lowest} to {highest}"))
+}
 
 fn parse_methods(text: &str) -> Result<Methods, String> {
     let mut methods = Vec::new();

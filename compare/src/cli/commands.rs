@@ -68,6 +68,10 @@ pub(super) fn model_options(
         options.cache = Some(cache.clone());
     }
     if let Some(mesh) = arguments.mesh {
+        if !methods.contains(&Method::Bem) {
+            let allowed = "no boundary elements run: leave it out, or name bem with --method";
+            return Err(CompareError::input("--mesh", mesh, allowed));
+        }
         options.mesh = mesh;
         // The level is checked even where no boundary elements run: a typo must not pass.
         bem::Bem::new(mesh)?;

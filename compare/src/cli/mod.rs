@@ -37,7 +37,9 @@ where
     let typed: Vec<_> = (arguments.iter().skip(1))
         .map(|argument| argument.to_string_lossy().into_owned())
         .collect();
-    let done = set_threads(parsed.threads).and_then(|()| commands::run(&parsed, &typed));
+    let done = set_threads(parsed.threads)
+        .and_then(|()| check_cache(&parsed))
+        .and_then(|()| commands::run(&parsed, &typed));
     ended(done.and_then(|()| refused()))
 }
 
@@ -69,6 +71,17 @@ fn refuse(error: &clap::Error) -> ExitCode {
         .collect();
     complain!("{} (see --help)", lines.join(" "));
     ExitCode::from(2)
+}
+
+/// A file in the place of the cache would keep nothing.
+fn check_cache(arguments: &Arguments) -> Result<(), CompareError> {
+    match &arguments.cache {
+        Some(path) if path.exists() && !path.is_dir() => {
+            let allowed = "it is no folder: name one, or leave it out";
+            Err(CompareError::input("--cache", path.display(), allowed))
+        }
+        _ => Ok(()),
+    }
 }
 
 fn set_threads(threads: Option<usize>) -> Result<(), CompareError> {

@@ -13,7 +13,7 @@ use super::args::Arguments;
 use super::commands::print_rows;
 use crate::scene_run::{self, SampleRow, Summary};
 use crate::streams::{complain, say};
-use crate::{CompareError, Model, ModelOptions, SceneFile};
+use crate::{CompareError, Method, Model, ModelOptions, SceneFile};
 
 /// Longest scene file, in bytes.
 const LONGEST_FILE: u64 = 1 << 20;
@@ -63,8 +63,24 @@ fn set_up(file: &SceneFile, plan: &Plan, general: &Arguments) -> Result<Model, C
     Model::set_up(file.method, &file.model_options(plan, options))
 }
 
+/// Refuses a start at which the model of the scene has no answer.
+fn check_start(file: &SceneFile, plan: &Plan) -> Result<(), CompareError> {
+    if file.method != Method::Bem {
+        return Ok(());
+    }
+    let level = file.model_options(plan, ModelOptions::default()).mesh;
+    bem::Bem::new(level)?
+        .check(plan.start().gap)
+        .map_err(|error| {
+            let gap = plan.start().gap.eps();
+            let allowed = format!("the start is too near: {error}");
+            CompareError::input("squirmer[1].position", format!("gap {gap:?}"), allowed)
+        })
+}
+
 pub(super) fn run(arguments: &RunArguments, general: &Arguments) -> Result<(), CompareError> {
     let file = read(&arguments.file)?;
+    check_start(&file, &Plan::new(&file.scene)?)?;
     let out = general.output()?;
     let plan = Plan::new(&file.scene)?;
     let model = set_up(&file, &plan, general)?;
