@@ -30,14 +30,14 @@ pub struct FarField {
 }
 
 impl FarField {
-    /// Fits the form for the loads of `set`.
-    pub fn fit(set: LoadSet) -> Result<Self, ExactError> {
+    /// Fits the form for the loads of `set` to series with `factor` times the usual number of terms.
+    pub fn fit(set: LoadSet, factor: f64) -> Result<Self, ExactError> {
         let gaps = geometric(FIT_FROM, FIT_TO, FITTED_GAPS);
-        let fit = Fit::new(&gaps, set, inverse_powers, |_, set| {
+        let fit = Fit::new((&gaps, factor), set, inverse_powers, |_, set| {
             (PairLoads::isolated(set), SwirlLoads::isolated(set))
         })?;
         let mut form = Self { fit, error: 0.0 };
-        form.error = largest_error(&CONTROL_GAPS, set, |gap| {
+        form.error = largest_error((&CONTROL_GAPS, factor), set, |gap| {
             (form.loads(gap, set), form.swirl(gap, set))
         })?;
         Ok(form)

@@ -7,6 +7,9 @@ use scene::{Gap, LoadSet, MAX_MODES, PairLoads, SelfOther, SwirlLoads};
 use crate::ExactError;
 use crate::series::Solved;
 
+/// Terms that tell what those there are leave out, over their number.
+pub const MORE_TERMS: f64 = 1.5;
+
 /// Factors of some functions of the gap (rows) in every column of the loads.
 #[derive(Clone, Debug)]
 pub struct Fit {
@@ -21,10 +24,10 @@ pub type Functions = fn(Gap) -> Vec<f64>;
 pub type Known = fn(Gap, LoadSet) -> (PairLoads, SwirlLoads);
 
 impl Fit {
-    /// Fits `functions` to the series' loads at `gaps` less `known`, every load weighted by what
+    /// Fits `functions` to the loads at `gaps` by series with `factor` times the usual number of terms, less `known`, every load weighted by what
     /// rounding leaves of it.
     pub fn new(
-        gaps: &[Gap],
+        (gaps, factor): (&[Gap], f64),
         set: LoadSet,
         functions: Functions,
         known: Known,
@@ -32,7 +35,7 @@ impl Fit {
         let rows: Vec<Vec<f64>> = gaps.iter().map(|gap| functions(*gap)).collect();
         let sizes: Vec<Vec<f64>> = gaps
             .par_iter()
-            .map(|gap| Ok(Solved::new(gap.eps(), set, 1.0)?.columns()))
+            .map(|gap| Ok(Solved::new(gap.eps(), set, factor)?.columns()))
             .collect::<Result<_, ExactError>>()?;
         let targets = gaps.iter().zip(&sizes).map(|(gap, loads)| {
             let (pair, swirl) = known(*gap, set);
@@ -116,15 +119,16 @@ pub fn geometric(from: f64, to: f64, count: usize) -> Vec<Gap> {
         .collect()
 }
 
-/// Largest difference of `form` from the series at `gaps`, relative to the larger of load and 1.
+/// Largest difference at `gaps` of `form`, fitted to series with `factor` times the usual number of terms, from series
+/// with half as many again, relative to the larger of load and 1: what the form and the terms leave out.
 pub fn largest_error(
-    gaps: &[f64],
+    (gaps, factor): (&[f64], f64),
     set: LoadSet,
     form: impl Fn(Gap) -> (PairLoads, SwirlLoads) + Sync,
 ) -> Result<f64, ExactError> {
     gaps.par_iter()
         .map(|eps| {
-            let series = Solved::new(*eps, set, 1.0)?.columns();
+            let series = Solved::new(*eps, set, MORE_TERMS * factor)?.columns();
             let (pair, swirl) = form(Gap::from_ln(eps.ln()));
             let form: Vec<f64> = pair.columns().chain(swirl.columns()).collect();
             Ok(relative_distance(&form, &series))

@@ -10,7 +10,7 @@ use scene::{
 use crate::ExactError;
 use crate::error::check;
 use crate::far_field::{FarField, SERIES_TO};
-use crate::fit::relative_distance;
+use crate::fit::{MORE_TERMS, relative_distance};
 use crate::geometry::Geometry;
 use crate::near_contact::{self, NearContact, SERIES_FROM};
 use crate::series::Solved;
@@ -18,7 +18,7 @@ use crate::series::Solved;
 /// Pairs of surface points at which the residual is taken.
 const RESIDUAL_POINTS: usize = 24;
 /// To be raised with every change that changes loads.
-const REVISION: u32 = 1;
+const REVISION: u32 = 2;
 /// Rounding of the matrices over the gap. It hardly shows when terms are added, because the
 /// entries stay the same; against series in 80-bit arithmetic it is 0.8e-14 over the gap.
 const ROUNDING: f64 = 1e-14;
@@ -125,7 +125,7 @@ impl Exact {
     /// [`ExactError::TooManyModes`].
     pub fn log_slopes(&self, set: LoadSet) -> Result<(PairLoads, SwirlLoads), ExactError> {
         check(set)?;
-        near_contact::log_slopes(set)
+        near_contact::log_slopes(set, self.factor)
     }
 
     /// Largest difference between the flow and its boundary velocity (of order 1) at surface points
@@ -140,7 +140,9 @@ impl Exact {
 
     fn near_contact(&self, set: LoadSet) -> Result<&NearContact, ExactError> {
         let whole = whole(set);
-        get_or_fit(&self.near_contact[kind(set)], || NearContact::fit(whole))
+        get_or_fit(&self.near_contact[kind(set)], || {
+            NearContact::fit(whole, self.factor)
+        })
     }
 
     fn form(&self, gap: Gap, set: LoadSet) -> Result<Form<'_>, ExactError> {
@@ -149,7 +151,7 @@ impl Exact {
         } else if gap.eps() > SERIES_TO {
             let whole = whole(set);
             Form::FarField(get_or_fit(&self.far_field[kind(set)], || {
-                FarField::fit(whole)
+                FarField::fit(whole, self.factor)
             })?)
         } else {
             Form::Series
@@ -160,7 +162,7 @@ impl Exact {
     fn series_error(&self, gap: Gap, set: LoadSet) -> Result<f64, ExactError> {
         let solved = Solved::new(gap.eps(), set, self.factor)?;
         let loads = solved.columns();
-        let finer = Solved::new(gap.eps(), set, 1.5 * self.factor)?.columns();
+        let finer = Solved::new(gap.eps(), set, MORE_TERMS * self.factor)?.columns();
         let by_terms = relative_distance(&loads, &finer);
         let by_formula = relative_distance(&loads, &solved.columns_by_second_formula());
         let by_rounding = ROUNDING * (1.0 / gap.eps()).max(1.0);

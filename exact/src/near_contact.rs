@@ -30,12 +30,12 @@ pub struct NearContact {
 }
 
 impl NearContact {
-    /// Fits the form for the loads of `set`.
-    pub fn fit(set: LoadSet) -> Result<Self, ExactError> {
+    /// Fits the form for the loads of `set` to series with `factor` times the usual number of terms.
+    pub fn fit(set: LoadSet, factor: f64) -> Result<Self, ExactError> {
         let gaps = geometric(SERIES_FROM, FIT_TO, FITTED_GAPS);
-        let fit = Fit::new(&gaps, set, regular_functions, diverging)?;
+        let fit = Fit::new((&gaps, factor), set, regular_functions, diverging)?;
         let mut form = Self { fit, error: 0.0 };
-        form.error = largest_error(&CONTROL_GAPS, set, |gap| {
+        form.error = largest_error((&CONTROL_GAPS, factor), set, |gap| {
             (form.loads(gap, set), form.swirl(gap, set))
         })?;
         Ok(form)
@@ -67,9 +67,9 @@ impl NearContact {
 
 /// The factors of `L` fitted freely to the loads at gaps between 1e-4 and 1e-3, with nothing known
 /// beforehand but the form `s L + c + eps (l L + b) + k/eps`.
-pub fn log_slopes(set: LoadSet) -> Result<(PairLoads, SwirlLoads), ExactError> {
+pub fn log_slopes(set: LoadSet, factor: f64) -> Result<(PairLoads, SwirlLoads), ExactError> {
     let gaps = geometric(SERIES_FROM, 1e-3, 10);
-    let fit = Fit::new(&gaps, set, singular_functions, |_, set| {
+    let fit = Fit::new((&gaps, factor), set, singular_functions, |_, set| {
         (PairLoads::zero(set), SwirlLoads::zero(set))
     })?;
     Ok(fit.factors(0))

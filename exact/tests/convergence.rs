@@ -118,3 +118,18 @@ fn regress_the_reference_table_is_reproduced() {
         );
     }
 }
+
+#[test]
+fn limiting_forms_follow_the_number_of_terms_and_estimate_what_they_leave_out() {
+    let coarse = Exact::with_terms(0.25).unwrap();
+    let set = LoadSet::all(2);
+    for eps in [1e-6, 1e-5] {
+        let gap = at(eps);
+        let loads = coarse.loads(gap, set).unwrap();
+        let error = distance(&loads, &Exact::new().loads(gap, set).unwrap());
+        let estimate = coarse.error_estimate(gap, set).unwrap().unwrap();
+        println!("{eps:e}: {error:e} {estimate:e}");
+        assert!(error > 1e-8, "{eps}: {error:e}");
+        assert!(estimate > 0.1 * error, "{eps}: {estimate:e} {error:e}");
+    }
+}
