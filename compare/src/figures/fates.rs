@@ -25,6 +25,7 @@ pub fn fates(rows: &[FateRow]) -> Result<String, FigureError> {
     }
     let gravity = distinct(rows.iter().map(|row| row.g)).len() > 1;
     let abscissa: fn(&FateRow) -> f64 = if gravity { |r| r.g } else { |r| r.beta };
+    let shown = shown(rows);
     let methods = methods(rows.iter().filter_map(FateRow::method));
     let x = padded(rows.iter().map(abscissa), 0.04);
     let plot = (400.0, 320.0);
@@ -32,7 +33,7 @@ pub fn fates(rows: &[FateRow]) -> Result<String, FigureError> {
     let width = cell * methods.len().max(1) as f64;
     let label =
         |i: usize, name: String| -> Entry { (Key::MarkedLine(stroke(i), Shape::of(i)), name) };
-    let names = lines(rows, gravity).into_iter().enumerate();
+    let names = lines(rows, gravity, &shown).into_iter().enumerate();
     let legend = vec![names.map(|(i, (name, ..))| label(i, name)).collect()];
     let legend_top = TITLE + ABOVE + plot.1 + BELOW + 8.0;
     let height = legend_top + legend_height(&legend, width);
@@ -59,7 +60,7 @@ pub fn fates(rows: &[FateRow]) -> Result<String, FigureError> {
             };
             let corner = (cell * column as f64 + LEFT, TITLE + ABOVE);
             let panel = canvas.panel(corner, plot, axes)?;
-            for (i, (_, rows, share)) in lines(&mine, gravity).into_iter().enumerate() {
+            for (i, (_, rows, share)) in lines(&mine, gravity, &shown).into_iter().enumerate() {
                 let mut points: Vec<_> = rows
                     .iter()
                     .map(|row| (abscissa(row), 100.0 * share(row)))
@@ -75,7 +76,7 @@ pub fn fates(rows: &[FateRow]) -> Result<String, FigureError> {
     })
 }
 
-fn lines(rows: &[FateRow], gravity: bool) -> Vec<Line<'_>> {
+fn lines<'a>(rows: &'a [FateRow], gravity: bool, shown: &[(&str, Share)]) -> Vec<Line<'a>> {
     if gravity {
         let betas = distinct(rows.iter().map(|row| row.beta)).into_iter();
         let of = |beta: f64| {
@@ -93,26 +94,47 @@ fn lines(rows: &[FateRow], gravity: bool) -> Vec<Line<'_>> {
             })
             .collect();
     }
-    let shares: [(&str, Share); 5] = [
-        ("scattered", |r| r.scattered),
-        ("pairwise", |r| r.pairwise),
-        ("anticlockwise", |r| r.anticlockwise),
-        ("clockwise", |r| r.clockwise),
-        ("undecided", |r| r.undecided),
-    ];
-    shares
-        .map(|(name, share)| (name.to_owned(), rows.iter().collect(), share))
-        .into()
+    (shown.iter())
+        .map(|&(name, share)| (name.to_owned(), rows.iter().collect(), share))
+        .collect()
+}
+
+/// Outcomes of runs without gravity come first and always have a line; the others have one where they occur.
+const SHARES: [(&str, Share); 10] = [
+    ("scattered", |r| r.scattered),
+    ("pairwise", |r| r.pairwise),
+    ("anticlockwise", |r| r.anticlockwise),
+    ("clockwise", |r| r.clockwise),
+    ("undecided", |r| r.undecided),
+    ("standoff", |r| r.standoff),
+    ("upward", |r| r.upward),
+    ("oscillating", |r| r.oscillating),
+    ("downward", |r| r.downward),
+    ("failed", |r| r.failed),
+];
+
+/// How many of them always have a line.
+const ALWAYS: usize = 5;
+
+fn shown(rows: &[FateRow]) -> Vec<(&'static str, Share)> {
+    let occurs = |share: Share| rows.iter().any(|row| share(row) > 0.0);
+    (SHARES.into_iter().enumerate())
+        .filter(|(place, (_, share))| *place < ALWAYS || occurs(*share))
+        .map(|(_, named)| named)
+        .collect()
 }
 
 /// Place of the anticlockwise orbits among the lines.
 const ANTICLOCKWISE: usize = 2;
+
+/// Lines that differ in colour; further ones are broken.
+const COLOURS: usize = 7;
 
 fn stroke(index: usize) -> Stroke {
     Stroke {
         colour: colour(index),
         // Orbits of either sense are as frequent: the first shows beside the second.
         width: if index == ANTICLOCKWISE { 6.0 } else { 2.0 },
-        dash: Dash::Solid,
+        dash: Dash::of(index / COLOURS),
     }
 }

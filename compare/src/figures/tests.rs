@@ -141,3 +141,27 @@ fn values_that_are_all_zero_have_an_axis_with_distinct_ticks() {
     let y = super::deflection::padded([0.0, 0.0], 0.06);
     assert!(y.end - y.start >= 1e-3, "{y:?}");
 }
+
+#[test]
+fn shares_of_pairs_that_all_swim_upward_are_drawn() {
+    let row = |upward: f64| crate::maps::FateRow {
+        method: "lt".to_owned(),
+        beta: 1.0,
+        g: 10.0,
+        scattered: 1.0 - upward,
+        standoff: 0.0,
+        pairwise: 0.0,
+        anticlockwise: 0.0,
+        clockwise: 0.0,
+        undecided: 0.0,
+        upward,
+        oscillating: 0.0,
+        downward: 0.0,
+        failed: 0.0,
+        sampling_error: 0.0,
+        points: 16,
+    };
+    let svg = super::fates(&[row(1.0)]).unwrap();
+    assert!(svg.contains("upward") && !svg.contains("downward"));
+    assert!(!super::fates(&[row(0.0)]).unwrap().contains("upward"));
+}
