@@ -270,8 +270,8 @@ fn explain_prints_the_plan() {
         "Y11A + Y12A",
         "axial mirrored, transverse mirrored",
         "a bottom-heavy squirmer swims",
-        "share of cost",
-        "measured",
+        "takes 12 right-hand sides",
+        "a closed form",
     ] {
         assert!(printed.contains(expected), "{expected}: {printed}");
     }
@@ -287,6 +287,9 @@ fn explain_prints_the_plan() {
             .to_owned()
     };
     assert_eq!([row("gravity"), row("third dimension")], ["yes", "no"]);
+    // Nothing in it is a time: the plan of a scene prints alike whenever and wherever.
+    let again = squirmers("explain", &scene("fig8e-downward"), folder.path(), &[]);
+    assert_eq!(text(again.stdout), printed);
     assert!(files(folder.path()).is_empty());
 }
 

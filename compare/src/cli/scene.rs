@@ -7,7 +7,6 @@ use std::time::Instant;
 
 use clap::Args;
 use scene::{Outcome, Plan, Run};
-use serde::Serialize;
 
 use super::args::Arguments;
 use super::commands::print_rows;
@@ -159,14 +158,6 @@ fn print_summary(summary: &Summary, run: &Run, rows: &[SampleRow]) {
     print_rows(&["", ""], lines.into_iter().map(Vec::from));
 }
 
-#[derive(Serialize)]
-struct PlanLine {
-    effect: &'static str,
-    runs: &'static str,
-    share: String,
-    reason: String,
-}
-
 pub(super) fn explain(
     arguments: &ExplainArguments,
     general: &Arguments,
@@ -174,18 +165,6 @@ pub(super) fn explain(
     let file = read(&arguments.file)?;
     let plan = Plan::new(&file.scene)?;
     let model = set_up(&file, &plan, general)?;
-    let clock = Clock::new(&file, general, &model, &plan)?;
-    let lines: Vec<_> = (model.explain(&plan).into_iter())
-        .map(|row| {
-            let share = clock.share(row.effect, row.runs)?;
-            Ok(PlanLine {
-                effect: row.effect,
-                runs: if row.runs { "yes" } else { "no" },
-                share: share.map_or("-".to_owned(), |share| format!("{:.0} %", 100.0 * share)),
-                reason: row.reason,
-            })
-        })
-        .collect::<Result<_, CompareError>>()?;
     let needed = plan.needed_loads();
     let classes: Vec<_> = (needed.symmetry_classes().iter())
         .map(ToString::to_string)
@@ -203,87 +182,33 @@ pub(super) fn explain(
         classes.join(", ")
     );
     say!("");
-    let header = ["effect", "runs", "share of cost", "why"];
+    let header = ["effect", "runs", "why"];
     let mut table = comfy_table::Table::new();
     table
         .load_preset(comfy_table::presets::NOTHING)
         .set_header(header);
-    table.add_rows(lines.into_iter().map(|line| {
-        [
-            line.effect.to_owned(),
-            line.runs.to_owned(),
-            line.share,
-            line.reason,
-        ]
+    table.add_rows(model.explain(&plan).into_iter().map(|row| {
+        let runs = if row.runs { "yes" } else { "no" };
+        [row.effect.to_owned(), runs.to_owned(), row.reason]
     }));
     say!("{table}");
     say!("");
-    say!(
-        "One right-hand side takes {:.3} µs at the start. Shares are measured now, on this machine: its time with \
-         the effect and without. That of a symmetry is negative: what it saves.",
-        1e6 * clock.whole
-    );
+    say!("{}", cost_in_words(&model, &plan));
     Ok(())
 }
 
-/// Times of right-hand sides at the start of a plan.
-struct Clock<'a> {
-    file: &'a SceneFile,
-    general: &'a Arguments,
-    model: &'a Model,
-    plan: &'a Plan,
-    whole: f64,
-}
-
-impl<'a> Clock<'a> {
-    fn new(
-        file: &'a SceneFile,
-        general: &'a Arguments,
-        model: &'a Model,
-        plan: &'a Plan,
-    ) -> Result<Self, CompareError> {
-        let mut clock = Self {
-            file,
-            general,
-            model,
-            plan,
-            whole: 0.0,
-        };
-        clock.whole = clock.time(model, plan)?;
-        Ok(clock)
-    }
-
-    /// Seconds of one right-hand side.
-    fn time(&self, model: &Model, plan: &Plan) -> Result<f64, CompareError> {
-        Ok(model.seconds_of_rates(plan, self.plan.start())?)
-    }
-
-    /// What an effect that runs adds to the time of a right-hand side, as a share of the whole; what a
-    /// symmetry saves is negative.
-    fn share(&self, effect: &str, runs: bool) -> Result<Option<f64>, CompareError> {
-        if !runs {
-            return Ok(None);
-        }
-        let without = |plan: Plan| self.time(self.model, &plan);
-        let plan = || self.plan.clone();
-        let rest = match effect {
-            "hydrodynamics" => {
-                let none = Model::set_up(crate::Method::Isolated, &ModelOptions::default())?;
-                self.time(&none, self.plan)?
-            }
-            "squirming of 1" => without(plan().without_squirming(0))?,
-            "squirming of 2" => without(plan().without_squirming(1))?,
-            "swirl" => without(plan().without_swirl())?,
-            "repulsion" => without(plan().without_repulsion())?,
-            "gravity" => without(plan().without_gravity())?,
-            "symmetry" => {
-                // It reads loads that the table of the scene has no columns for.
-                let plan = plan().without_symmetry();
-                let more = set_up(self.file, &plan, self.general)?;
-                self.time(&more, &plan)?
-            }
-            _ => return Ok(None),
-        };
-        Ok(Some((self.whole - rest) / self.whole))
+/// What the answer costs besides steps: counts, which are the same on every machine.
+fn cost_in_words(model: &Model, plan: &Plan) -> String {
+    let stages = "A step that is accepted takes 12 right-hand sides";
+    match model.table() {
+        Some(table) => format!(
+            "{stages}, which read {} columns of a table. The table is the price: {} solves of the model, to an \
+             interpolation error of {:.1e}. It is kept for other scenes that read the same loads.",
+            plan.load_set().column_count(),
+            table.evaluations,
+            table.interpolation_error
+        ),
+        None if model.is_direct() => format!("{stages}, each of which solves the model once."),
+        None => format!("{stages}, each of which evaluates a closed form."),
     }
 }
