@@ -3,6 +3,7 @@
 //! Beyond the cut nothing acts. A pair that does not close in parts at once, without any turn; one that closes in
 //! does what its neighbours just inside do.
 
+#![allow(clippy::float_cmp, reason = "exactly equal is what is claimed")]
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
 use lt::{Form, Lubrication};

@@ -27,6 +27,9 @@ struct LoadRow {
 /// Name, value and error estimate of a load.
 type Estimated = (String, f64, Option<f64>);
 
+/// The loads of a method at a gap.
+type Estimator = Box<dyn Fn(Gap) -> Result<Vec<Estimated>, CompareError>>;
+
 pub(super) fn run(
     gaps: &Numbers,
     set: LoadSet,
@@ -82,7 +85,7 @@ fn estimator(
     method: Method,
     set: LoadSet,
     options: &ModelOptions,
-) -> Result<Box<dyn Fn(Gap) -> Result<Vec<Estimated>, CompareError>>, CompareError> {
+) -> Result<Estimator, CompareError> {
     if method == Method::Bem && options.direct {
         let bem = Bem::new(options.mesh)?;
         return Ok(Box::new(move |gap| {
