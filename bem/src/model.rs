@@ -192,7 +192,7 @@ impl Bem {
 const NOISE: f64 = 1e-11;
 
 impl Hydrodynamics for Bem {
-    fn description(&self) -> ModelDescription {
+    fn description(&self) -> ModelDescription<'_> {
         let smallest = smallest(self.level);
         ModelDescription {
             range: GapRange {
@@ -200,7 +200,7 @@ impl Hydrodynamics for Bem {
                 largest: f64::INFINITY,
             },
             cutoff: None,
-            seams: SEAMS.into_iter().filter(|&seam| seam > smallest).collect(),
+            seams: &SEAMS[piece_of(smallest.next_up())..],
             noise: NOISE,
         }
     }

@@ -74,8 +74,6 @@ pub struct EncounterRow {
     pub deflection1_deg: f64,
     /// The same of the second squirmer.
     pub deflection2_deg: f64,
-    /// Estimate of how far the deflections are from their limit at infinity; 0 where nothing is cut off.
-    pub truncation_deg: f64,
     /// Smallest gap.
     pub min_gap: f64,
     /// Time spent at gaps up to 1 (the paper's tau).
@@ -88,6 +86,8 @@ pub struct EncounterRow {
     pub loads: u64,
     /// Wall-clock time.
     pub seconds: f64,
+    /// Estimate of how far the deflections are from their limit at infinity; 0 where nothing is cut off.
+    pub truncation_deg: f64,
 }
 
 impl Encounter {
@@ -104,13 +104,13 @@ impl Encounter {
             dz: case.dz,
             deflection1_deg: number(|run| run.deflections()[0].to_degrees()),
             deflection2_deg: number(|run| run.deflections()[1].to_degrees()),
-            truncation_deg: number(|run| run.truncation.to_degrees()),
             min_gap: number(|run| run.min_gap),
             tau: number(|run| run.contact_time),
             outcome: self.outcome(),
             steps: run.map_or(0, |run| run.counters.steps),
             loads: run.map_or(0, |run| run.counters.loads),
             seconds: self.seconds,
+            truncation_deg: number(|run| run.truncation.to_degrees()),
         }
     }
 

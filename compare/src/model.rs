@@ -256,7 +256,7 @@ impl Model {
 }
 
 impl Hydrodynamics for Model {
-    fn description(&self) -> ModelDescription {
+    fn description(&self) -> ModelDescription<'_> {
         self.hydrodynamics().description()
     }
 

@@ -508,5 +508,6 @@ fn the_default_methods_in_help_are_those_that_run() {
     let folder = tempfile::tempdir().unwrap();
     let output = squirmers(folder.path(), &["bottom-heavy", "--help"]);
     let text = String::from_utf8(output.stdout).unwrap();
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(text.contains("[default: lt,exact]"), "{text}");
 }

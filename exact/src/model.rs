@@ -209,11 +209,11 @@ const RANGE: GapRange = GapRange {
 };
 
 impl Hydrodynamics for Exact {
-    fn description(&self) -> ModelDescription {
+    fn description(&self) -> ModelDescription<'_> {
         ModelDescription {
             range: RANGE,
             cutoff: None,
-            seams: vec![SERIES_FROM, SERIES_TO],
+            seams: &[SERIES_FROM, SERIES_TO],
             // At the smallest gap that the series serve; it falls as the gap grows.
             noise: ROUNDING / SERIES_FROM,
         }

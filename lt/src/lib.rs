@@ -66,7 +66,7 @@ const RANGE: GapRange = GapRange {
 };
 
 impl Hydrodynamics for Lubrication {
-    fn description(&self) -> ModelDescription {
+    fn description(&self) -> ModelDescription<'_> {
         ModelDescription {
             cutoff: Some(CUTOFF),
             ..ModelDescription::smooth(RANGE)

@@ -36,8 +36,8 @@ impl GapRange {
 }
 
 /// What a model says of itself. There are no defaults: whatever wraps a model hands on all of it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ModelDescription {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModelDescription<'a> {
     /// Gaps for which the model answers.
     pub range: GapRange,
     /// Gap beyond which the spheres do not interact at all, if there is one: the cut of
@@ -45,7 +45,7 @@ pub struct ModelDescription {
     pub cutoff: Option<f64>,
     /// Ascending gaps at which the model's discretisation changes, so that the loads jump by
     /// about the discretisation error: tables must not interpolate across them.
-    pub seams: Vec<f64>,
+    pub seams: &'a [f64],
     /// Size of the model's noise between seams (rounding, quadrature), relative to the larger of
     /// the load and 1: a table tighter than this would interpolate noise.
     pub noise: f64,
@@ -54,14 +54,14 @@ pub struct ModelDescription {
 /// Noise of a model that is a formula.
 pub const ROUNDING_NOISE: f64 = 1e-13;
 
-impl ModelDescription {
+impl ModelDescription<'_> {
     /// A model that answers in a range of gaps, without a cut or seams, and with no more noise than rounding.
     #[must_use]
     pub fn smooth(range: GapRange) -> Self {
         Self {
             range,
             cutoff: None,
-            seams: Vec::new(),
+            seams: &[],
             noise: ROUNDING_NOISE,
         }
     }
@@ -75,7 +75,7 @@ impl ModelDescription {
 /// A model implements the methods without a body, and nothing else; those with one follow from them.
 pub trait Hydrodynamics: Send + Sync {
     /// Range, cut, seams and noise.
-    fn description(&self) -> ModelDescription;
+    fn description(&self) -> ModelDescription<'_>;
 
     /// Names the model, its parameters and the revision of its code: two models with the same
     /// fingerprint have the same loads, so that a table kept on disk may serve again.
@@ -156,7 +156,7 @@ pub trait Hydrodynamics: Send + Sync {
 /// A model behind a pointer, for callers that choose it at run time: what it costs to find the function is
 /// nothing beside a solve. Loops over a closed form or a table take the model itself.
 impl<H: Hydrodynamics + ?Sized> Hydrodynamics for Box<H> {
-    fn description(&self) -> ModelDescription {
+    fn description(&self) -> ModelDescription<'_> {
         self.as_ref().description()
     }
 

@@ -21,7 +21,7 @@ const RANGE: GapRange = GapRange {
 };
 
 impl Hydrodynamics for Isolated {
-    fn description(&self) -> ModelDescription {
+    fn description(&self) -> ModelDescription<'_> {
         ModelDescription {
             // At no gap do they interact.
             cutoff: Some(0.0),

@@ -25,7 +25,7 @@ fn sets() -> [(LoadSet, usize); 3] {
 struct Both<'a, M>(&'a M);
 
 impl<M: Hydrodynamics> Hydrodynamics for Both<'_, M> {
-    fn description(&self) -> ModelDescription {
+    fn description(&self) -> ModelDescription<'_> {
         self.0.description()
     }
 

@@ -19,7 +19,7 @@ use scene::{
 struct Aloof;
 
 impl Hydrodynamics for Aloof {
-    fn description(&self) -> ModelDescription {
+    fn description(&self) -> ModelDescription<'_> {
         ModelDescription::smooth(GapRange {
             smallest: 1e-6,
             largest: f64::INFINITY,

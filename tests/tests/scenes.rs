@@ -229,7 +229,7 @@ fn val_without_repulsion_a_facing_pair_closes_doubly_exponentially() {
 struct Resolving(Lubrication, f64);
 
 impl Hydrodynamics for Resolving {
-    fn description(&self) -> ModelDescription {
+    fn description(&self) -> ModelDescription<'_> {
         ModelDescription::smooth(GapRange {
             smallest: self.1,
             largest: f64::INFINITY,
@@ -582,7 +582,7 @@ struct Disturbed {
 }
 
 impl scene::Hydrodynamics for Disturbed {
-    fn description(&self) -> scene::ModelDescription {
+    fn description(&self) -> scene::ModelDescription<'_> {
         scene::ModelDescription::smooth(Lubrication::new(Form::Corrected).range())
     }
 

@@ -35,7 +35,7 @@ impl Counted {
 }
 
 impl Hydrodynamics for Counted {
-    fn description(&self) -> ModelDescription {
+    fn description(&self) -> ModelDescription<'_> {
         ModelDescription::smooth(GapRange {
             smallest: 1e-12,
             largest: f64::INFINITY,

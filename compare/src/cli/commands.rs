@@ -264,8 +264,8 @@ fn offset(
                 written(row.beta),
                 written(row.dx),
                 written(row.dz),
-                rounded(row.change1_deg, 6),
-                rounded(row.change2_deg, 6),
+                rounded(row.change1_deg, 5),
+                rounded(row.change2_deg, 5),
                 rounded(row.min_gap, 5),
                 row.outcome.clone(),
             ]
@@ -289,7 +289,6 @@ fn print_encounters(rows: &[EncounterRow]) {
         "min gap [a]",
         "tau [a/V_s]",
         "outcome",
-        "seconds",
     ];
     print_rows(
         &header,
@@ -299,12 +298,11 @@ fn print_encounters(rows: &[EncounterRow]) {
                 written(row.beta),
                 written(row.dx),
                 written(row.dz),
-                rounded(row.deflection1_deg, 5),
-                rounded(row.deflection2_deg, 5),
+                rounded(row.deflection1_deg, 4),
+                rounded(row.deflection2_deg, 4),
                 rounded(row.min_gap, 5),
-                format!("{:.4}", row.tau),
+                format!("{:.3}", row.tau),
                 row.outcome.clone(),
-                format!("{:.2e}", row.seconds),
             ]
         }),
     );

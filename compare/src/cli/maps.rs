@@ -221,39 +221,32 @@ fn percent(share: f64) -> String {
     format!("{:.2}", 100.0 * share)
 }
 
-/// Shares in per cent.
+/// A share of the plane.
+type Share = fn(&FateRow) -> f64;
+
+/// Shares in per cent, of the outcomes that occur.
 fn print_fates(rows: &[FateRow]) {
-    let header = [
-        "%",
-        "beta",
-        "g",
-        "scattered",
-        "standoff",
-        "pairwise",
-        "anticlockwise",
-        "clockwise",
-        "undecided",
-        "upward",
-        "oscillating",
-        "downward",
-        "failed",
+    let shares: [(&str, Share); 10] = [
+        ("scattered", |row| row.scattered),
+        ("standoff", |row| row.standoff),
+        ("pairwise", |row| row.pairwise),
+        ("anticlockwise", |row| row.anticlockwise),
+        ("clockwise", |row| row.clockwise),
+        ("undecided", |row| row.undecided),
+        ("upward", |row| row.upward),
+        ("oscillating", |row| row.oscillating),
+        ("downward", |row| row.downward),
+        ("failed", |row| row.failed),
     ];
+    let occur: Vec<_> = (shares.into_iter())
+        .filter(|(_, share)| rows.iter().any(|row| share(row) > 0.0))
+        .collect();
+    let header = ["%", "beta", "g"].into_iter();
+    let header: Vec<_> = header.chain(occur.iter().map(|(name, _)| *name)).collect();
     let line = |row: &FateRow| {
-        let shares = [
-            row.scattered,
-            row.standoff,
-            row.pairwise,
-            row.anticlockwise,
-            row.clockwise,
-            row.undecided,
-            row.upward,
-            row.oscillating,
-            row.downward,
-            row.failed,
-        ];
-        let mut line = vec![row.method.clone(), row.beta.to_string(), row.g.to_string()];
-        line.extend(shares.map(percent));
-        line
+        let place = [row.method.clone(), row.beta.to_string(), row.g.to_string()];
+        let shares = occur.iter().map(|(_, share)| percent(share(row)));
+        place.into_iter().chain(shares).collect()
     };
     print_rows(&header, rows.iter().map(line));
 }

@@ -57,7 +57,7 @@ pub(super) fn panels(rows: &mut Rows) -> Result<(), CompareError> {
 /// The gap at which the meshes of a model have their longest panel for its width, and the panel's aspect
 /// ratio. Meshes stretch between seams: the ends are the extremes.
 fn longest(model: &Bem, smallest: f64) -> Result<(f64, f64), CompareError> {
-    let ends = (model.description().seams.into_iter()).flat_map(|s| [s, s.next_up()]);
+    let ends = (model.description().seams.iter()).flat_map(|s| [*s, s.next_up()]);
     let mut worst = (smallest, 0.0);
     for eps in std::iter::once(smallest).chain(ends) {
         let ratio = (model.family(Gap::new(eps)?).at(eps)).worst_aspect_ratio();

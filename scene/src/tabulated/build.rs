@@ -107,7 +107,7 @@ impl<M: Hydrodynamics> Tabulated<M> {
             evaluations: AtomicUsize::new(0),
             progress,
         };
-        let (near, far) = regions(range, &seams)?;
+        let (near, far) = regions(range, seams)?;
         let (near, near_error) = builder.region(Coordinate::LogGap, &near)?;
         let (far, far_error) = builder.region(Coordinate::InverseDistance, &far)?;
         let evaluations = builder.evaluations.into_inner();

@@ -198,7 +198,7 @@ macro_rules! with_layout {
 
 impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
     /// The model's, but for the noise, which is the interpolation error.
-    fn description(&self) -> ModelDescription {
+    fn description(&self) -> ModelDescription<'_> {
         ModelDescription {
             noise: self.table.summary.interpolation_error,
             ..self.model.description()

@@ -10,14 +10,14 @@ struct Made {
 }
 
 impl Hydrodynamics for Made {
-    fn description(&self) -> ModelDescription {
+    fn description(&self) -> ModelDescription<'_> {
         ModelDescription {
             range: GapRange {
                 smallest: 1e-3,
                 largest: f64::INFINITY,
             },
             cutoff: None,
-            seams: self.seam.into_iter().collect(),
+            seams: self.seam.as_slice(),
             noise: self.noise,
         }
     }
@@ -321,7 +321,7 @@ fn a_folder_that_cannot_be_written_costs_only_the_keeping() {
 struct Cut(Made);
 
 impl Hydrodynamics for Cut {
-    fn description(&self) -> ModelDescription {
+    fn description(&self) -> ModelDescription<'_> {
         ModelDescription {
             cutoff: Some(1.0),
             ..self.0.description()
@@ -385,9 +385,9 @@ fn a_table_of_a_model_that_jumps_without_a_seam_says_that_it_missed_its_toleranc
     };
     struct Unsaid(Made);
     impl Hydrodynamics for Unsaid {
-        fn description(&self) -> ModelDescription {
+        fn description(&self) -> ModelDescription<'_> {
             ModelDescription {
-                seams: Vec::new(),
+                seams: &[],
                 ..self.0.description()
             }
         }
