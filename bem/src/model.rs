@@ -195,10 +195,7 @@ impl Hydrodynamics for Bem {
     fn description(&self) -> ModelDescription<'_> {
         let smallest = smallest(self.level);
         ModelDescription {
-            range: GapRange {
-                smallest,
-                largest: f64::INFINITY,
-            },
+            range: GapRange::from(smallest),
             cutoff: None,
             seams: &SEAMS[piece_of(smallest.next_up())..],
             noise: NOISE,

@@ -24,8 +24,8 @@ pub type Functions = fn(Gap) -> Vec<f64>;
 pub type Known = fn(Gap, LoadSet) -> (PairLoads, SwirlLoads);
 
 impl Fit {
-    /// Fits `functions` to the loads at `gaps` by series with `factor` times the usual number of terms, less `known`, every load weighted by what
-    /// rounding leaves of it.
+    /// Fits `functions` to the loads at `gaps` by series with `factor` times the usual number of terms, less `known`,
+    /// every load weighted by what rounding leaves of it.
     pub fn new(
         (gaps, factor): (&[Gap], f64),
         set: LoadSet,

@@ -203,10 +203,7 @@ fn get_or_fit<T>(
 }
 
 /// The series and their limiting forms answer at every gap.
-const RANGE: GapRange = GapRange {
-    smallest: f64::MIN_POSITIVE,
-    largest: f64::INFINITY,
-};
+const RANGE: GapRange = GapRange::from(f64::MIN_POSITIVE);
 
 impl Hydrodynamics for Exact {
     fn description(&self) -> ModelDescription<'_> {

@@ -60,10 +60,7 @@ impl Lubrication {
 }
 
 /// Gaps for which the closed form can be evaluated.
-const RANGE: GapRange = GapRange {
-    smallest: f64::MIN_POSITIVE,
-    largest: f64::INFINITY,
-};
+const RANGE: GapRange = GapRange::from(f64::MIN_POSITIVE);
 
 impl Hydrodynamics for Lubrication {
     fn description(&self) -> ModelDescription<'_> {

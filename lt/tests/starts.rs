@@ -55,6 +55,14 @@ impl Pair {
     }
 }
 
+fn pair(speeds: [f64; 2], beta: f64, headings_deg: [f64; 2]) -> Pair {
+    Pair {
+        speeds,
+        beta,
+        headings_deg,
+    }
+}
+
 fn pairs() -> Vec<Pair> {
     let headings = [0.0, 90.0, 180.0, -90.0, 37.0, 123.0, -71.0, 90.0 + 360.0];
     let speeds = [[1.0, 1.0], [1.0, 0.0], [0.0, 0.7], [0.4, 1.0], [0.0, 0.0]];
@@ -63,11 +71,7 @@ fn pairs() -> Vec<Pair> {
         for one in headings {
             for two in headings {
                 for beta in [0.0, 1.0, -5.0] {
-                    pairs.push(Pair {
-                        speeds,
-                        beta,
-                        headings_deg: [one, two],
-                    });
+                    pairs.push(pair(speeds, beta, [one, two]));
                 }
             }
         }
@@ -77,15 +81,10 @@ fn pairs() -> Vec<Pair> {
 
 #[test]
 fn two_squirmers_that_swim_apart_sideways_from_the_cut_do_not_turn() {
-    let sideways = |speeds, beta, headings_deg| Pair {
-        speeds,
-        beta,
-        headings_deg,
-    };
     for pair in [
-        sideways([1.0, 1.0], 0.0, [90.0, -90.0]),
-        sideways([1.0, 1.0], 1.0, [90.0, -90.0]),
-        sideways([1.0, 0.0], 0.0, [90.0, 0.0]),
+        pair([1.0, 1.0], 0.0, [90.0, -90.0]),
+        pair([1.0, 1.0], 1.0, [90.0, -90.0]),
+        pair([1.0, 0.0], 0.0, [90.0, 0.0]),
     ] {
         let run = pair.run(CUT);
         assert_eq!(run.outcome, Outcome::Scattered);
@@ -151,11 +150,7 @@ fn starts_at_the_cut_in_three_dimensions_end_as_in_the_plane() {
 
 #[test]
 fn two_passive_spheres_rest_whatever_the_model() {
-    let pair = Pair {
-        speeds: [0.0, 0.0],
-        beta: 0.0,
-        headings_deg: [0.0, 90.0],
-    };
+    let pair = pair([0.0, 0.0], 0.0, [0.0, 90.0]);
     let passive = |distance: f64| Scene {
         repulsion: None,
         ..pair.scene(distance)
@@ -171,11 +166,7 @@ fn two_passive_spheres_rest_whatever_the_model() {
 
 #[test]
 fn a_pair_that_swims_in_parallel_beyond_the_cut_never_parts() {
-    let pair = Pair {
-        speeds: [1.0, 1.0],
-        beta: 5.0,
-        headings_deg: [90.0, 90.0],
-    };
+    let pair = pair([1.0, 1.0], 5.0, [90.0, 90.0]);
     let run = pair.run(5.0);
     assert_eq!(run.outcome, Outcome::Undecided);
     assert_eq!(run.deflections(), [0.0, 0.0]);
@@ -184,10 +175,6 @@ fn a_pair_that_swims_in_parallel_beyond_the_cut_never_parts() {
 
 #[test]
 fn a_pair_that_is_still_on_its_way_at_the_end_has_not_parted() {
-    let pair = Pair {
-        speeds: [1.0, 1.0],
-        beta: 1.0,
-        headings_deg: [0.0, 180.0],
-    };
+    let pair = pair([1.0, 1.0], 1.0, [0.0, 180.0]);
     assert_eq!(pair.run(1000.0).outcome, Outcome::Undecided);
 }

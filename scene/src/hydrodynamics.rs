@@ -14,6 +14,15 @@ pub struct GapRange {
 }
 
 impl GapRange {
+    /// From a smallest gap on, to spheres however far apart.
+    #[must_use]
+    pub const fn from(smallest: f64) -> Self {
+        Self {
+            smallest,
+            largest: f64::INFINITY,
+        }
+    }
+
     /// `Ok` if `gap` lies within.
     ///
     /// # Errors
@@ -52,7 +61,7 @@ pub struct ModelDescription<'a> {
 }
 
 /// Noise of a model that is a formula.
-pub const ROUNDING_NOISE: f64 = 1e-13;
+const ROUNDING_NOISE: f64 = 1e-13;
 
 impl ModelDescription<'_> {
     /// A model that answers in a range of gaps, without a cut or seams, and with no more noise than rounding.

@@ -15,10 +15,7 @@ use crate::{
 pub struct Isolated;
 
 /// Lone spheres have loads at every gap.
-const RANGE: GapRange = GapRange {
-    smallest: 0.0,
-    largest: f64::INFINITY,
-};
+const RANGE: GapRange = GapRange::from(0.0);
 
 impl Hydrodynamics for Isolated {
     fn description(&self) -> ModelDescription<'_> {

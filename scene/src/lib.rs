@@ -29,7 +29,7 @@ mod tabulated;
 pub use effects::{Gravity, Repulsion};
 pub use error::SceneError;
 pub use gap::Gap;
-pub use hydrodynamics::{GapRange, Hydrodynamics, ModelDescription, ROUNDING_NOISE};
+pub use hydrodynamics::{GapRange, Hydrodynamics, ModelDescription};
 pub use isolated::Isolated;
 pub use legendre::{Legendre, legendre};
 pub use load_set::{Exchange, LoadSet};

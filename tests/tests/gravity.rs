@@ -20,10 +20,7 @@ struct Aloof;
 
 impl Hydrodynamics for Aloof {
     fn description(&self) -> ModelDescription<'_> {
-        ModelDescription::smooth(GapRange {
-            smallest: 1e-6,
-            largest: f64::INFINITY,
-        })
+        ModelDescription::smooth(GapRange::from(1e-6))
     }
 
     fn interacting_loads(&self, _: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {

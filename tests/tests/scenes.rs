@@ -230,10 +230,7 @@ struct Resolving(Lubrication, f64);
 
 impl Hydrodynamics for Resolving {
     fn description(&self) -> ModelDescription<'_> {
-        ModelDescription::smooth(GapRange {
-            smallest: self.1,
-            largest: f64::INFINITY,
-        })
+        ModelDescription::smooth(GapRange::from(self.1))
     }
 
     fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {

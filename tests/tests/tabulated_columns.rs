@@ -36,10 +36,7 @@ impl Counted {
 
 impl Hydrodynamics for Counted {
     fn description(&self) -> ModelDescription<'_> {
-        ModelDescription::smooth(GapRange {
-            smallest: 1e-12,
-            largest: f64::INFINITY,
-        })
+        ModelDescription::smooth(GapRange::from(1e-12))
     }
 
     fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {

@@ -73,8 +73,6 @@ pub(super) fn model_options(
             return Err(CompareError::input("--mesh", mesh, allowed));
         }
         options.mesh = mesh;
-        // The level is checked even where no boundary elements run: a typo must not pass.
-        bem::Bem::new(mesh)?;
     }
     Ok((methods, options))
 }

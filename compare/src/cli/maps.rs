@@ -221,24 +221,9 @@ fn percent(share: f64) -> String {
     format!("{:.2}", 100.0 * share)
 }
 
-/// A share of the plane.
-type Share = fn(&FateRow) -> f64;
-
 /// Shares in per cent, of the outcomes that occur.
 fn print_fates(rows: &[FateRow]) {
-    let shares: [(&str, Share); 10] = [
-        ("scattered", |row| row.scattered),
-        ("standoff", |row| row.standoff),
-        ("pairwise", |row| row.pairwise),
-        ("anticlockwise", |row| row.anticlockwise),
-        ("clockwise", |row| row.clockwise),
-        ("undecided", |row| row.undecided),
-        ("upward", |row| row.upward),
-        ("oscillating", |row| row.oscillating),
-        ("downward", |row| row.downward),
-        ("failed", |row| row.failed),
-    ];
-    let occur: Vec<_> = (shares.into_iter())
+    let occur: Vec<_> = (FateRow::SHARES.into_iter())
         .filter(|(_, share)| rows.iter().any(|row| share(row) > 0.0))
         .collect();
     let header = ["%", "beta", "g"].into_iter();

@@ -79,9 +79,9 @@ fn check_start(file: &SceneFile, plan: &Plan) -> Result<(), CompareError> {
 
 pub(super) fn run(arguments: &RunArguments, general: &Arguments) -> Result<(), CompareError> {
     let file = read(&arguments.file)?;
-    check_start(&file, &Plan::new(&file.scene)?)?;
-    let out = general.output()?;
     let plan = Plan::new(&file.scene)?;
+    check_start(&file, &plan)?;
+    let out = general.output()?;
     let model = set_up(&file, &plan, general)?;
     let started = Instant::now();
     let streamed = scene_run::stream(&model, &plan, &file.run, &out);

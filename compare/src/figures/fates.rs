@@ -7,10 +7,7 @@ use super::canvas::{
 use super::deflection::padded;
 use super::style::{Dash, Shape, colour};
 use super::{FigureError, distinct, methods, number, same};
-use crate::maps::FateRow;
-
-/// A share of the plane.
-type Share = fn(&FateRow) -> f64;
+use crate::maps::{FateRow, Share};
 
 /// A line: its name and the points.
 type Line<'a> = (String, Vec<&'a FateRow>, Share);
@@ -99,29 +96,21 @@ fn lines<'a>(rows: &'a [FateRow], gravity: bool, shown: &[(&str, Share)]) -> Vec
         .collect()
 }
 
-/// Outcomes of runs without gravity come first and always have a line; the others have one where they occur.
-const SHARES: [(&str, Share); 10] = [
-    ("scattered", |r| r.scattered),
-    ("pairwise", |r| r.pairwise),
-    ("anticlockwise", |r| r.anticlockwise),
-    ("clockwise", |r| r.clockwise),
-    ("undecided", |r| r.undecided),
-    ("standoff", |r| r.standoff),
-    ("upward", |r| r.upward),
-    ("oscillating", |r| r.oscillating),
-    ("downward", |r| r.downward),
-    ("failed", |r| r.failed),
+/// Outcomes that always have a line, the first ones; the others have one where they occur.
+const ALWAYS: [&str; 5] = [
+    "scattered",
+    "pairwise",
+    "anticlockwise",
+    "clockwise",
+    "undecided",
 ];
-
-/// How many of them always have a line.
-const ALWAYS: usize = 5;
 
 fn shown(rows: &[FateRow]) -> Vec<(&'static str, Share)> {
     let occurs = |share: Share| rows.iter().any(|row| share(row) > 0.0);
-    (SHARES.into_iter().enumerate())
-        .filter(|(place, (_, share))| *place < ALWAYS || occurs(*share))
-        .map(|(_, named)| named)
-        .collect()
+    let (mut shown, others): (Vec<_>, Vec<_>) =
+        (FateRow::SHARES.into_iter()).partition(|(name, _)| ALWAYS.contains(name));
+    shown.extend(others.into_iter().filter(|(_, share)| occurs(*share)));
+    shown
 }
 
 /// Place of the anticlockwise orbits among the lines.

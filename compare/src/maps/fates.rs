@@ -46,7 +46,24 @@ pub struct FateRow {
     pub points: usize,
 }
 
+/// A share of the plane.
+pub(crate) type Share = fn(&FateRow) -> f64;
+
 impl FateRow {
+    /// Every outcome's share by its name, in the order of the columns.
+    pub(crate) const SHARES: [(&'static str, Share); 10] = [
+        ("scattered", |row| row.scattered),
+        ("standoff", |row| row.standoff),
+        ("pairwise", |row| row.pairwise),
+        ("anticlockwise", |row| row.anticlockwise),
+        ("clockwise", |row| row.clockwise),
+        ("undecided", |row| row.undecided),
+        ("upward", |row| row.upward),
+        ("oscillating", |row| row.oscillating),
+        ("downward", |row| row.downward),
+        ("failed", |row| row.failed),
+    ];
+
     /// Share of pairs that orbit or swim together.
     #[must_use]
     pub fn bound(&self) -> f64 {

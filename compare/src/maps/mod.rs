@@ -19,8 +19,8 @@ use crate::{CompareError, Model};
 use resume::Journal;
 
 pub use bound::{BoundExample, BoundRow, bound_examples, bound_rows};
-pub(crate) use fates::fates_as;
 pub use fates::{FateRow, fates, fates_of};
+pub(crate) use fates::{Share, fates_as};
 pub use grid::{Grid, Pair, unsymmetric_starts};
 pub use scatter::{ScatterRow, scatter, scatter_row};
 pub(crate) use trust::{CLASSES as TRUST_CLASSES, same_map, trust_as};

@@ -313,13 +313,8 @@ where
         if self.t >= end_time {
             return Ok(PhaseEnd::Time);
         }
-        let y = self.motion.coordinates.encode(&self.now);
+        let (y, mut stepper) = self.stepper(end_time)?;
         let tolerance = self.options.tolerance;
-        let stepper = Stepper::new(&mut self.motion, self.t, y, tolerance, end_time);
-        let taken = (self.counters.steps + self.counters.rejected) as usize;
-        let mut stepper = stepper
-            .map_err(|error| self.failure(error))?
-            .with_max_steps(self.options.max_steps.saturating_sub(taken));
         let beyond = |ln_gap: f64| parting.is_some_and(|parting| ln_gap >= parting.ln());
         if beyond(y[C::LN_GAP]) && stepper.dy()[C::LN_GAP] >= 0.0 {
             return Ok(PhaseEnd::Parted);
@@ -344,9 +339,26 @@ where
                 break PhaseEnd::Steady(outcome);
             }
         };
+        self.count(&stepper);
+        Ok(end)
+    }
+
+    /// A stepper from the present configuration to `end_time`, with the state of that configuration and the steps
+    /// that are left.
+    fn stepper(&mut self, end_time: f64) -> Result<([f64; N], Stepper<N>), SceneError> {
+        let y = self.motion.coordinates.encode(&self.now);
+        let tolerance = self.options.tolerance;
+        let stepper = Stepper::new(&mut self.motion, self.t, y, tolerance, end_time);
+        let taken = (self.counters.steps + self.counters.rejected) as usize;
+        let left = self.options.max_steps.saturating_sub(taken);
+        let stepper = stepper.map_err(|error| self.failure(error))?;
+        Ok((y, stepper.with_max_steps(left)))
+    }
+
+    /// Enters the steps that were taken.
+    fn count(&mut self, stepper: &Stepper<N>) {
         self.counters.steps += stepper.accepted() as u64;
         self.counters.rejected += stepper.rejected() as u64;
-        Ok(end)
     }
 
     /// If a step ends at a steady state that holds, carries the pair on to the end time.

@@ -84,20 +84,12 @@ impl<M: Hydrodynamics> Tabulated<M> {
             seams,
             noise,
         } = model.description();
-        let limit = if noise > options.tolerance {
-            TableLimit::Noise(noise)
-        } else {
-            TableLimit::Tolerance(options.tolerance)
-        };
-        let range = GapRange {
-            smallest: options.smallest_gap.max(answers.smallest),
-            largest: answers.largest,
-        };
+        let smallest = options.smallest_gap.max(answers.smallest);
         // Spheres that no longer interact have no loads far apart that anybody reads.
-        let beyond_cut = cutoff.filter(|&cut| cut > range.smallest);
+        let beyond_cut = cutoff.filter(|&cut| cut > smallest);
         let range = GapRange {
-            largest: beyond_cut.map_or(range.largest, |cut| (2.0 * cut).max(FAR_GAP)),
-            ..range
+            smallest,
+            largest: beyond_cut.map_or(answers.largest, |cut| (2.0 * cut).max(FAR_GAP)),
         };
         let target = noise.max(options.tolerance);
         let builder = Builder {
@@ -114,8 +106,10 @@ impl<M: Hydrodynamics> Tabulated<M> {
         let interpolation_error = near_error.max(far_error);
         let limit = if interpolation_error > target {
             TableLimit::Missed(interpolation_error)
+        } else if noise > options.tolerance {
+            TableLimit::Noise(noise)
         } else {
-            limit
+            TableLimit::Tolerance(options.tolerance)
         };
         let table = Table {
             set: options.set,

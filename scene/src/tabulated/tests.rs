@@ -12,10 +12,7 @@ struct Made {
 impl Hydrodynamics for Made {
     fn description(&self) -> ModelDescription<'_> {
         ModelDescription {
-            range: GapRange {
-                smallest: 1e-3,
-                largest: f64::INFINITY,
-            },
+            range: GapRange::from(1e-3),
             cutoff: None,
             seams: self.seam.as_slice(),
             noise: self.noise,
@@ -317,19 +314,23 @@ fn a_folder_that_cannot_be_written_costs_only_the_keeping() {
     assert!(cached(QUIET, &file.path().join("below")).1);
 }
 
-/// A model with a cut at which its loads jump, as those of lubrication theory do.
-struct Cut(Made);
+/// A model that says other things of itself than it does: no seams, no error estimate, and perhaps a cut.
+struct Says {
+    made: Made,
+    cutoff: Option<f64>,
+}
 
-impl Hydrodynamics for Cut {
+impl Hydrodynamics for Says {
     fn description(&self) -> ModelDescription<'_> {
         ModelDescription {
-            cutoff: Some(1.0),
-            ..self.0.description()
+            cutoff: self.cutoff,
+            seams: &[],
+            ..self.made.description()
         }
     }
 
     fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
-        self.0.interacting_loads(gap, set)
+        self.made.interacting_loads(gap, set)
     }
 
     fn interacting_loads_with_swirl(
@@ -337,7 +338,7 @@ impl Hydrodynamics for Cut {
         gap: Gap,
         set: LoadSet,
     ) -> Result<(PairLoads, SwirlLoads), SceneError> {
-        self.0.interacting_loads_with_swirl(gap, set)
+        self.made.interacting_loads_with_swirl(gap, set)
     }
 
     fn error_estimate(&self, _: Gap, _: LoadSet) -> Result<Option<f64>, SceneError> {
@@ -345,22 +346,23 @@ impl Hydrodynamics for Cut {
     }
 
     fn fingerprint(&self) -> String {
-        "cut".to_owned()
+        "says otherwise".to_owned()
     }
 }
 
-#[test]
-fn a_table_keeps_the_cut_of_its_model() {
-    let made = Made {
-        seam: None,
-        noise: 1e-13,
-    };
+fn table_that_says(cutoff: Option<f64>, seam: Option<f64>) -> Tabulated<Says> {
     let options = TableOptions {
         set: LoadSet::all(2),
         tolerance: 1e-8,
         smallest_gap: 1e-3,
     };
-    let table = Tabulated::build(Cut(made), options, &|_| ()).unwrap();
+    let made = Made { seam, noise: 1e-13 };
+    Tabulated::build(Says { made, cutoff }, options, &|_| ()).unwrap()
+}
+
+#[test]
+fn a_table_keeps_the_cut_of_its_model() {
+    let table = table_that_says(Some(1.0), None);
     assert_eq!(table.cutoff(), Some(1.0));
     assert!(table.summary().interpolation_error <= 1e-8);
     let set = LoadSet::all(2);
@@ -379,43 +381,7 @@ fn a_table_keeps_the_cut_of_its_model() {
 
 #[test]
 fn a_table_of_a_model_that_jumps_without_a_seam_says_that_it_missed_its_tolerance() {
-    let jumps = Made {
-        seam: Some(0.37),
-        noise: 1e-13,
-    };
-    struct Unsaid(Made);
-    impl Hydrodynamics for Unsaid {
-        fn description(&self) -> ModelDescription<'_> {
-            ModelDescription {
-                seams: &[],
-                ..self.0.description()
-            }
-        }
-        fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
-            self.0.interacting_loads(gap, set)
-        }
-        fn interacting_loads_with_swirl(
-            &self,
-            gap: Gap,
-            set: LoadSet,
-        ) -> Result<(PairLoads, SwirlLoads), SceneError> {
-            self.0.interacting_loads_with_swirl(gap, set)
-        }
-        fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
-            self.0.error_estimate(gap, set)
-        }
-        fn fingerprint(&self) -> String {
-            "jumps".to_owned()
-        }
-    }
-    let options = TableOptions {
-        set: LoadSet::all(2),
-        tolerance: 1e-8,
-        smallest_gap: 1e-3,
-    };
-    let summary = Tabulated::build(Unsaid(jumps), options, &|_| ())
-        .unwrap()
-        .summary();
+    let summary = table_that_says(None, Some(0.37)).summary();
     assert!(summary.interpolation_error > 1e-4);
     assert_eq!(
         summary.limit,

@@ -5,12 +5,12 @@
 //! higher orders (`far_turn`). How much the result still changes from one distance to the next tells how far it is
 //! from its limit, or from what the model's own error lets be known of it.
 
-use super::super::far_turn::turned_to_infinity;
 use super::Runner;
 use crate::motion::configuration::Configuration;
 use crate::motion::coordinates::Coordinates;
 use crate::motion::equations::Effect;
-use crate::ode::{Direction, Stepper, first_crossing};
+use crate::motion::far_turn::turned_to_infinity;
+use crate::ode::{Direction, first_crossing};
 use crate::{Gap, Gravity, Hydrodynamics, Repulsion, SceneError};
 
 /// Change of an angle to come, in radians, at which it counts as known: a tenth of a millionth of a degree.
@@ -50,68 +50,43 @@ where
     /// Where the angles of a pair are read that has parted just now under a model without a cut.
     pub(super) fn fly_out(&mut self) -> Result<Outgoing, SceneError> {
         let read_at = self.options.angles_at;
-        let mut reached = self.estimate(self.now);
         if read_at <= self.now.gap.distance() {
             return Ok(self.still_to_come(self.now));
         }
-        let y = self.motion.coordinates.encode(&self.now);
-        let (options, t_end) = (self.options, f64::MAX);
-        let stepper = Stepper::new(&mut self.motion, self.t, y, options.tolerance, t_end);
-        let taken = (self.counters.steps + self.counters.rejected) as usize;
-        let mut stepper = stepper
-            .map_err(|error| self.failure(error))?
-            .with_max_steps(options.max_steps.saturating_sub(taken));
-        let mut distance = 2.0 * self.now.gap.distance();
+        let (_, mut stepper) = self.stepper(f64::MAX)?;
+        let mut limit = Limit::from(self.estimate(self.now));
+        let mut next = Next::after(self.now.gap.distance(), read_at)?;
         let mut previous = self.now;
-        let mut doublings = 0;
-        let mut last_change = f64::INFINITY;
         let outgoing = 'far: loop {
-            let step = stepper.step(&mut self.motion, t_end);
+            let step = stepper.step(&mut self.motion, f64::MAX);
             let step = step.map_err(|error| self.failure(error))?;
             self.motion.failure = None;
-            while step.y1[C::LN_GAP] >= gap_at(distance.min(read_at))?.ln() {
-                let gap = gap_at(distance.min(read_at))?;
+            while step.y1[C::LN_GAP] >= next.gap.ln() {
                 let dense = step.dense(&mut self.motion);
                 let dense = dense.map_err(|error| self.failure(error))?;
-                let rising = Direction::Rising;
-                let t = first_crossing(&dense, |_, y| y[C::LN_GAP] - gap.ln(), rising, 0.0);
-                let at =
-                    (self.motion.coordinates).decode(&dense.at(t.unwrap_or(step.t0)), &previous);
-                if read_at <= distance {
+                let beyond = |_, y: &[f64; N]| y[C::LN_GAP] - next.gap.ln();
+                let t = first_crossing(&dense, beyond, Direction::Rising, 0.0);
+                let y = dense.at(t.unwrap_or(step.t0));
+                let at = self.motion.coordinates.decode(&y, &previous);
+                if next.is_read {
                     break 'far self.still_to_come(at);
                 }
-                let next = self.estimate(at);
-                let changed = apart(&reached, &next);
-                // A model's own error, such as a mesh that turns lone spheres a little, adds up on the way: once the changes
-                // grow, the estimate before is the best there is.
-                if changed >= last_change && !read_at.is_finite() {
-                    break 'far Outgoing {
-                        configuration: reached,
-                        truncation: last_change,
-                    };
+                let known = limit.take(self.estimate(at));
+                if let Some(outgoing) = known.filter(|_| read_at.is_infinite()) {
+                    break 'far outgoing;
                 }
-                (reached, last_change) = (next, changed);
-                doublings += 1;
-                let known = changed <= KNOWN || doublings == MOST_DOUBLINGS;
-                if known && !read_at.is_finite() {
-                    break 'far Outgoing {
-                        configuration: reached,
-                        truncation: changed / (ORDER - 1.0),
-                    };
-                }
-                distance *= 2.0;
+                next = Next::after(next.distance, read_at)?;
             }
             // A pair that comes back has not parted: its angles have no limit here.
             if step.dy1[C::LN_GAP] < 0.0 && step.y1[C::LN_GAP] <= self.now.gap.ln() {
                 break Outgoing {
-                    configuration: reached,
+                    configuration: limit.reached,
                     truncation: f64::INFINITY,
                 };
             }
             previous = self.motion.coordinates.decode(&step.y1, &previous);
         };
-        self.counters.steps += stepper.accepted() as u64;
-        self.counters.rejected += stepper.rejected() as u64;
+        self.count(&stepper);
         Ok(outgoing)
     }
 
@@ -131,9 +106,62 @@ where
     }
 }
 
-/// The gap at a distance of the centres.
-fn gap_at(distance: f64) -> Result<Gap, SceneError> {
-    Gap::new(distance - 2.0)
+/// The gap at which the pair is looked at next.
+struct Next {
+    /// Distance of the centres to be doubled after it.
+    distance: f64,
+    gap: Gap,
+    /// Whether its angles are read there.
+    is_read: bool,
+}
+
+impl Next {
+    /// At twice the distance of the centres, or where angles are read if that is nearer.
+    fn after(distance: f64, read_at: f64) -> Result<Self, SceneError> {
+        let distance = 2.0 * distance;
+        Ok(Self {
+            distance,
+            gap: Gap::new(distance.min(read_at) - 2.0)?,
+            is_read: read_at <= distance,
+        })
+    }
+}
+
+/// The estimates of the limit, each from twice as far out as the one before.
+struct Limit {
+    reached: Configuration,
+    last_change: f64,
+    doublings: usize,
+}
+
+impl Limit {
+    fn from(estimate: Configuration) -> Self {
+        Self {
+            reached: estimate,
+            last_change: f64::INFINITY,
+            doublings: 0,
+        }
+    }
+
+    /// Takes in the next estimate; the limit, once it is known as well as it can be.
+    fn take(&mut self, next: Configuration) -> Option<Outgoing> {
+        let change = apart(&self.reached, &next);
+        let before = std::mem::replace(&mut self.reached, next);
+        let change_before = std::mem::replace(&mut self.last_change, change);
+        // A model's own error, such as a mesh that turns lone spheres a little, adds up on the way: once the changes
+        // grow, the estimate before is the best there is.
+        if change >= change_before {
+            return Some(Outgoing {
+                configuration: before,
+                truncation: change_before,
+            });
+        }
+        self.doublings += 1;
+        (change <= KNOWN || self.doublings == MOST_DOUBLINGS).then_some(Outgoing {
+            configuration: next,
+            truncation: change / (ORDER - 1.0),
+        })
+    }
 }
 
 /// Larger angle between the orientations of two configurations, if it is small, in radians.
