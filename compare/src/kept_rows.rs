@@ -128,6 +128,20 @@ impl KeptRows<'_> {
         .replace('\n', " ")
     }
 
+    /// Makes sure that [`Self::encounters`] loses no rows of another sweep.
+    pub(crate) fn check_encounters(&self) -> Result<(), CompareError> {
+        self.check(self.models.len() * self.cases.len())
+    }
+
+    /// Makes sure that [`Self::offsets`] loses no rows of another sweep.
+    pub(crate) fn check_offsets(&self, dz: &[f64]) -> Result<(), CompareError> {
+        self.check(self.models.len() * (self.cases.len() / (1 + dz.len())))
+    }
+
+    fn check(&self, units: usize) -> Result<(), CompareError> {
+        Journal::check(self.out, self.name, &self.key(units_a_chunk(units)))
+    }
+
     /// Every case by every method; `see` is handed each row in its order, and the encounters to draw are
     /// returned.
     pub(crate) fn encounters(
@@ -239,7 +253,7 @@ impl KeptRows<'_> {
         rows_of_skipped: &dyn Fn(&[Encounter]) -> Vec<R>,
         see: &mut dyn FnMut(R),
     ) -> Result<bool, CompareError> {
-        let size = (units / PARTS).max(1);
+        let size = units_a_chunk(units);
         let chunks = units.div_ceil(size);
         let of = |chunk: usize| chunk * size..((chunk + 1) * size).min(units);
         let journal = Journal::open(self.out, self.name, &self.key(size))?;
@@ -356,6 +370,11 @@ impl KeptRows<'_> {
         self.out.account().failed(counts.failed);
         self.out.account().skipped(counts.skipped);
     }
+}
+
+/// Units that are kept together in a sweep of so many.
+fn units_a_chunk(units: usize) -> usize {
+    (units / PARTS).max(1)
 }
 
 #[derive(Default)]

@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
+#[cfg(target_os = "linux")]
+mod memory;
+
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -254,6 +257,25 @@ fn every_command_that_a_time_limit_stops_says_so_and_keeps_a_whole_earlier_file(
 }
 
 #[test]
+fn a_report_that_the_time_limit_stops_keeps_the_runs_that_are_done() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path();
+    let all = ["--method", "lt"];
+    let done = squirmers(out, &[&["head-on"][..], &all].concat());
+    assert!(done.status.success());
+    let earlier = std::fs::read_to_string(out.join("head-on.csv")).unwrap();
+    let stopped = squirmers(out, &[&["report", "--time-limit", "0"][..], &all].concat());
+    assert_eq!(stopped.status.code(), Some(75), "{stopped:?}");
+    // A whole file stays; what is new names what is left, and has the part file that goes on from there.
+    let text = std::fs::read_to_string(out.join("head-on.csv")).unwrap();
+    assert_eq!(text, earlier);
+    let left = rows(&out.join("orthogonal.csv"));
+    assert!(left.iter().all(|row| &row[8] == "skipped"), "{left:?}");
+    assert!(out.join("orthogonal.csv.part").exists());
+    assert!(out.join("index.unfinished.html").exists() && !out.join("index.html").exists());
+}
+
+#[test]
 fn a_stopped_sweep_goes_on_with_the_runs_that_are_left() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path();
@@ -278,35 +300,12 @@ fn a_stopped_sweep_goes_on_with_the_runs_that_are_left() {
     assert!(!out.join("orthogonal.csv.part").exists());
 }
 
-/// Largest memory, in bytes, that a command needs.
-#[cfg(target_os = "linux")]
-fn peak_memory(out: &Path, arguments: &[&str]) -> u64 {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_squirmers"))
-        .args(arguments)
-        .arg("--out")
-        .arg(out)
-        .stdout(std::process::Stdio::null())
-        .spawn()
-        .unwrap();
-    let status = format!("/proc/{}/status", child.id());
-    let mut peak = 0;
-    while child.try_wait().unwrap().is_none() {
-        let text = std::fs::read_to_string(&status).unwrap_or_default();
-        let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-        let kib = line.and_then(|line| line.trim().strip_suffix(" kB")?.trim().parse::<u64>().ok());
-        peak = peak.max(1024 * kib.unwrap_or(0));
-        std::thread::sleep(std::time::Duration::from_millis(2));
-    }
-    assert!(child.wait().unwrap().success());
-    peak
-}
-
 #[cfg(target_os = "linux")]
 #[test]
 fn memory_does_not_grow_with_the_runs_of_a_sweep() {
     let memory = |dx: &str| {
         let folder = tempfile::tempdir().unwrap();
-        let peak = peak_memory(folder.path(), &["head-on", "--method", "lt", "--dx", dx]);
+        let peak = memory::peak_memory(folder.path(), &["head-on", "--method", "lt", "--dx", dx]);
         let written = rows(&folder.path().join("head-on.csv")).len();
         (peak, written)
     };

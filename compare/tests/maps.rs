@@ -3,6 +3,9 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
+#[cfg(target_os = "linux")]
+mod memory;
+
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -195,6 +198,45 @@ fn maps_at_once_in_one_folder_lose_no_work() {
         }
         assert_eq!(text(out, "scatter.csv").lines().count(), 1 + 3600);
     }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn memory_does_not_grow_with_the_number_of_maps() {
+    let of = |beta: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let map = [
+            "scatter", "--method", "lt", "--grid", "60", "--beta", beta, "--tol", "1e-4",
+        ];
+        let peak = memory::peak_memory(folder.path(), &map);
+        (peak, text(folder.path(), "scatter.csv").lines().count())
+    };
+    let (few, _) = of("-1:1:1");
+    let (many, lines) = of("-12:12:1");
+    assert_eq!(lines, 1 + 25 * 3600);
+    // The text of the 22 maps more is 10 MB, and their rows are more than that.
+    let growth = many.saturating_sub(few);
+    assert!(growth < 4 << 20, "{few} bytes, then {many}");
+}
+
+#[test]
+fn a_report_refuses_another_command_s_unfinished_map_before_it_computes_anything() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path();
+    map(out, "scatter", "2", &["--time-limit", "0"]);
+    let key = text(out, "scatter.csv.part");
+    let kept = format!("{key}{}", chunks_of_a_killed_map()[0]);
+    std::fs::write(out.join("scatter.csv.part"), &kept).unwrap();
+    let refused = squirmers(out, &["report", "--method", "lt,exact"]);
+    let message = String::from_utf8(refused.stderr).unwrap();
+    assert_eq!(refused.status.code(), Some(2), "{message}");
+    assert!(message.contains("--fresh"), "{message}");
+    assert_eq!(
+        std::fs::read_dir(out).unwrap().count(),
+        1,
+        "nothing else is written"
+    );
+    assert_eq!(text(out, "scatter.csv.part"), kept);
 }
 
 /// Chunks that a part file holds whole.

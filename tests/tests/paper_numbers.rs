@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
 use compare::bottom_heavy::{PanelRun, panel_runs};
-use compare::maps::{FateRow, Grid, Pair, ScatterRow, fates, scatter_row};
+use compare::maps::{FateRow, Grid, Maps, Pair, ScatterRow, scatter_row};
 use compare::sweep::SweepOptions;
 use compare::{Defaults, Method, Model, ModelOptions, OutputFolder};
 use scene::RunOptions;
@@ -28,14 +28,20 @@ fn shares(beta: f64) -> FateRow {
 fn shares_under_gravity(beta: f64, g: f64, points: usize) -> FateRow {
     let folder = tempfile::tempdir().unwrap();
     let out = OutputFolder::open(folder.path()).unwrap();
-    let sweep = SweepOptions {
-        run: options(),
-        time_limit: None,
+    let model = lubrication();
+    let maps = Maps {
+        name: "fates",
+        models: vec![&model],
+        exact: None,
+        pairs: vec![Pair { beta, g, dz: 0.0 }],
+        grid: Grid::new(points).unwrap(),
+        options: SweepOptions {
+            run: options(),
+            time_limit: None,
+        },
+        out: &out,
     };
-    let pair = Pair { beta, g, dz: 0.0 };
-    let grid = Grid::new(points).unwrap();
-    let rows = fates(&[&lubrication()], &[pair], grid, &sweep, &out);
-    rows.unwrap().unwrap().remove(0)
+    maps.fates().unwrap().unwrap().remove(0)
 }
 
 /// One neutral pair under lubrication theory.

@@ -232,8 +232,7 @@ fn fates(model: &Model, beta: f64) -> FateRow {
         g: 0.0,
         dz: 0.0,
     };
-    let grid = Grid::new(MAP).unwrap();
-    fates_of(&[model], &[pair], grid, &map(model, beta, MAP)).remove(0)
+    fates_of(model, pair, &map(model, beta, MAP))
 }
 
 #[test]

@@ -4,12 +4,13 @@ use clap::{Arg, Args};
 
 use super::args::{Arguments, ModelArguments, RunArguments};
 use super::commands::{model_options, print_rows, set_up, sweep_options};
-use crate::maps::{self, BoundExample, FateRow, Grid, Pair, TrustRow, TrustShares};
+use crate::maps::{self, BoundExample, FateRow, Grid, Maps, Pair, TrustShares};
 use crate::numbers::{Numbers, parse_numbers};
 use crate::output::{OutputFolder, csv_text};
+use crate::pictures::{self, Picture};
 use crate::streams::say;
 use crate::sweep::SweepOptions;
-use crate::{CompareError, Method, Model, pictures};
+use crate::{CompareError, Method, Model};
 
 /// The methods that maps run when none are named.
 pub(crate) const METHODS: [Method; 2] = [Method::Lt, Method::Exact];
@@ -76,8 +77,17 @@ struct Checked {
 }
 
 impl Checked {
-    fn models(&self) -> Vec<&Model> {
-        self.models.iter().collect()
+    /// Its maps, kept under this name, judged by an exact model if they are.
+    fn maps<'a>(&'a self, name: &'static str, exact: Option<&'a Model>) -> Maps<'a> {
+        Maps {
+            name,
+            models: self.models.iter().collect(),
+            exact,
+            pairs: self.pairs.clone(),
+            grid: self.grid,
+            options: self.sweep,
+            out: &self.out,
+        }
     }
 }
 
@@ -117,29 +127,26 @@ pub(crate) const SCATTER_BETA: [f64; 5] = [0.0, 1.0, 5.0, -1.0, -5.0];
 
 pub(super) fn scatter(arguments: &MapArguments, general: &Arguments) -> Result<(), CompareError> {
     let run = checked(arguments, &SCATTER_BETA, &None, general)?;
-    let rows = maps::scatter(&run.models(), &run.pairs, run.grid, &run.sweep, &run.out)?;
-    let Some(rows) = rows else {
-        return run.out.account().verdict();
-    };
-    run.out.write("scatter.csv", &csv_text(&rows)?)?;
-    for picture in pictures::of_scatter(&rows)? {
-        run.out.write(&picture.file_name, &picture.svg)?;
+    let mut shares = Vec::new();
+    run.maps("scatter", None)
+        .scatter(&mut |model, pair, rows| {
+            shares.push(maps::fates_of(model, pair, &rows));
+            write_pictures(pictures::of_scatter(&rows)?, &run.out)
+        })?;
+    if !shares.is_empty() {
+        print_fates(&shares);
     }
-    print_fates(&maps::fates_of(&run.models(), &run.pairs, run.grid, &rows));
     run.out.account().verdict()
 }
 
 pub(super) fn fates(arguments: &MapArguments, general: &Arguments) -> Result<(), CompareError> {
     let beta: Vec<f64> = (-10..=10).map(f64::from).collect();
     let run = checked(arguments, &beta, &None, general)?;
-    let rows = maps::fates(&run.models(), &run.pairs, run.grid, &run.sweep, &run.out)?;
-    let Some(rows) = rows else {
+    let Some(rows) = run.maps("fates", None).fates()? else {
         return run.out.account().verdict();
     };
     run.out.write("fates.csv", &csv_text(&rows)?)?;
-    for picture in pictures::of_fates(&rows)? {
-        run.out.write(&picture.file_name, &picture.svg)?;
-    }
+    write_pictures(pictures::of_fates(&rows)?, &run.out)?;
     print_fates(&rows);
     run.out.account().verdict()
 }
@@ -147,32 +154,33 @@ pub(super) fn fates(arguments: &MapArguments, general: &Arguments) -> Result<(),
 pub(super) fn trust(arguments: &TrustArguments, general: &Arguments) -> Result<(), CompareError> {
     let mut run = checked(&arguments.map, &SCATTER_BETA, &arguments.dz, general)?;
     let exact = run.models.iter().position(|m| m.method() == Method::Exact);
-    let Some(exact) = exact else {
-        let allowed = "name exact, and what it is to judge, such as lt,exact";
-        return Err(CompareError::input("--method", "without exact", allowed));
-    };
-    let exact = run.models.remove(exact);
+    let exact = exact.map(|place| run.models.remove(place));
     if run.models.is_empty() {
         let allowed = "name a method that it is to judge too, such as lt,exact";
         return Err(CompareError::input("--method", "exact", allowed));
     }
-    let (judged, pairs) = (run.models(), &run.pairs);
-    let rows = maps::trust(&judged, &exact, pairs, run.grid, &run.sweep, &run.out)?;
-    let Some(rows) = rows else {
-        return run.out.account().verdict();
-    };
-    run.out.write("trust.csv", &csv_text(&rows)?)?;
-    write_trust_pictures(&rows, &run.out)?;
-    print_trust(&maps::trust_shares(&rows));
-    let all: Vec<&Model> = judged.iter().copied().chain([&exact]).collect();
-    let mut betas: Vec<f64> = pairs.iter().map(|pair| pair.beta).collect();
+    let all: Vec<&Model> = run.models.iter().chain(&exact).collect();
+    let mut betas: Vec<f64> = run.pairs.iter().map(|pair| pair.beta).collect();
     betas.dedup();
-    let states = maps::bound_rows(&all, &betas)?;
+    let (mut shares, mut examples) = (Vec::new(), Vec::new());
+    let mut states = Vec::new();
+    let maps = run.maps("trust", exact.as_ref());
+    let complete = maps.trust(true, &mut |_, pair, rows| {
+        if shares.is_empty() {
+            states = maps::bound_rows(&all, &betas)?;
+        }
+        shares.extend(maps::trust_shares(&rows));
+        if pair.g == 0.0 && pair.dz == 0.0 {
+            examples.extend(maps::bound_examples(&rows, &states));
+        }
+        write_pictures(pictures::of_trust(&rows)?, &run.out)
+    })?;
+    if !complete {
+        return run.out.account().verdict();
+    }
+    write_pictures(pictures::of_trust_against_offset(&shares)?, &run.out)?;
+    print_trust(&shares);
     run.out.write("bound-states.csv", &csv_text(&states)?)?;
-    let in_plane: Vec<TrustRow> = (rows.into_iter())
-        .filter(|row| row.g == 0.0 && row.dz == 0.0)
-        .collect();
-    let examples = maps::bound_examples(&in_plane, &states);
     run.out.write("trust-examples.csv", &csv_text(&examples)?)?;
     say!("");
     print_examples(&examples);
@@ -210,8 +218,8 @@ fn print_examples(examples: &[BoundExample]) {
     print_rows(&header, examples.iter().map(line));
 }
 
-fn write_trust_pictures(rows: &[TrustRow], out: &OutputFolder) -> Result<(), CompareError> {
-    for picture in pictures::of_trust(rows)? {
+fn write_pictures(pictures: Vec<Picture>, out: &OutputFolder) -> Result<(), CompareError> {
+    for picture in pictures {
         out.write(&picture.file_name, &picture.svg)?;
     }
     Ok(())

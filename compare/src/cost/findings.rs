@@ -56,6 +56,12 @@ pub fn findings(rows: &[CostRow]) -> Vec<Finding> {
     findings
 }
 
+/// Names of the findings that the page speaks of.
+pub(crate) const COLLISION: &str = "slowest collision of Fig. 6 at tolerance 1e-8";
+pub(crate) const RIGHT_HAND_SIDES: &str = "right-hand side against that of lubrication";
+pub(crate) const DIRECT: &str =
+    "trajectory without a table against one by the exact table, least ratio";
+
 /// Times of trajectories, right-hand sides and velocities, and their ratios.
 fn speeds(rows: &[CostRow]) -> Vec<Finding> {
     let lt = Method::Lt.name();
@@ -73,18 +79,8 @@ fn speeds(rows: &[CostRow]) -> Vec<Finding> {
     let most = |of: fn(&CostRow) -> f64| velocities().map(of).fold(f64::NAN, f64::max);
     let ratio = right_hand_side("exact-table") / right_hand_side(lt);
     vec![
-        Finding::new(
-            "slowest collision of Fig. 6 at tolerance 1e-8",
-            lt,
-            1e6 * collision,
-            "µs",
-        ),
-        Finding::new(
-            "right-hand side against that of lubrication",
-            "exact-table",
-            ratio,
-            "times",
-        ),
+        Finding::new(COLLISION, lt, 1e6 * collision, "µs"),
+        Finding::new(RIGHT_HAND_SIDES, "exact-table", ratio, "times"),
         Finding::new(
             "slowest velocity at any gap",
             "exact-table",
@@ -97,12 +93,7 @@ fn speeds(rows: &[CostRow]) -> Vec<Finding> {
             most(|r| r.error),
             "V_s",
         ),
-        Finding::new(
-            "trajectory without a table against one by the exact table, least ratio",
-            &*coarse,
-            direct_over_table(rows, &coarse),
-            "times",
-        ),
+        Finding::new(DIRECT, &*coarse, direct_over_table(rows, &coarse), "times"),
     ]
 }
 

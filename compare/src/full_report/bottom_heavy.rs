@@ -2,13 +2,13 @@
 
 use crate::bottom_heavy::{PanelRun, panel_runs};
 use crate::cli::bottom_heavy::{account_for, failure};
-use crate::maps::{Grid, Pair, fates_as};
+use crate::maps::{Grid, Maps, Pair};
 use crate::output::{OutputFolder, csv_text};
 use crate::report::{Figure, Section, Table};
 use crate::sweep::SweepOptions;
 use crate::{CompareError, Defaults, Model, figures, pictures};
 
-use super::{words, write_unless_less, written};
+use super::{findings, words, write_unless_less, written};
 
 /// Points a side over which shares are taken: a share of 20 % has a standard error
 /// of 3 %.
@@ -22,6 +22,27 @@ const BETA: [f64; 2] = [-5.0, 5.0];
 
 /// Bottom-heavinesses of the shares.
 const GRAVITY: [f64; 5] = [0.0, 1.0, 2.0, 2.5, 3.0];
+
+/// The maps behind the shares of orbits.
+pub(super) fn orbit_maps<'a>(
+    models: &[&'a Model],
+    sweep: &SweepOptions,
+    out: &'a OutputFolder,
+) -> Result<Maps<'a>, CompareError> {
+    let mut options = *sweep;
+    options.run.tolerance = TOLERANCE;
+    Ok(Maps {
+        name: "gravity-fates",
+        models: models.to_vec(),
+        exact: None,
+        pairs: (BETA.iter())
+            .flat_map(|&beta| GRAVITY.map(|g| Pair { beta, g, dz: 0.0 }))
+            .collect(),
+        grid: Grid::new(GRID)?,
+        options,
+        out,
+    })
+}
 
 /// The section, and a line about each run without a result.
 pub(super) fn section(
@@ -37,19 +58,7 @@ pub(super) fn section(
     write_unless_less("bottom-heavy.csv", &trajectories, out)?;
     let picture = pictures::of_bottom_heavy(&runs)?;
 
-    let mut at_tolerance = *sweep;
-    at_tolerance.run.tolerance = TOLERANCE;
-    let pairs: Vec<_> = (BETA.iter())
-        .flat_map(|&beta| GRAVITY.map(|g| Pair { beta, g, dz: 0.0 }))
-        .collect();
-    let orbits = fates_as(
-        "gravity-fates",
-        models,
-        &pairs,
-        Grid::new(GRID)?,
-        &at_tolerance,
-        out,
-    )?;
+    let orbits = orbit_maps(models, sweep, out)?.fates()?;
     let mut shown = written(picture.into_iter().collect(), out)?;
     let mut tables = vec![Table {
         csv: trajectories,
@@ -62,10 +71,10 @@ pub(super) fn section(
         )?
     }];
     // Left out where the time limit was reached.
-    if let Some(orbits) = orbits {
-        let csv = csv_text(&orbits)?;
+    if let Some(orbits) = &orbits {
+        let csv = csv_text(orbits)?;
         out.write("gravity-fates.csv", &csv)?;
-        let svg = figures::fates(&orbits)?;
+        let svg = figures::fates(orbits)?;
         out.write("gravity-fates.svg", &svg)?;
         shown.push(Figure {
             svg,
@@ -80,7 +89,8 @@ pub(super) fn section(
     let section = Section {
         id: "bottom-heavy".to_owned(),
         title: "Bottom-heavy squirmers (Fig. 8)".to_owned(),
-        prose: words::bottom_heavy(),
+        finding: findings::of_gravity(&summary, orbits.as_deref().unwrap_or_default()),
+        prose: vec![words::BOTTOM_HEAVY.to_owned(), findings::panels(&summary)],
         figures: shown,
         tables,
     };

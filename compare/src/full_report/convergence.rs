@@ -56,6 +56,7 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CompareError> {
     Ok(Section {
         id: "meshes".to_owned(),
         title: "How the boundary elements converge".to_owned(),
+        finding: finding(&rows),
         prose: vec![prose],
         figures: Vec::new(),
         tables: vec![Table::from_csv(
@@ -65,6 +66,22 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CompareError> {
             &csv,
         )?],
     })
+}
+
+/// What the default level reaches, and with how many nodes.
+fn finding(rows: &[MeshRow]) -> String {
+    let of_default: Vec<&MeshRow> = (rows.iter())
+        .filter(|row| row.level == Bem::DEFAULT_LEVEL)
+        .collect();
+    let parts: Vec<String> = (of_default.iter())
+        .map(|row| format!("{:.0e} at gap {}", row.worst_error, row.gap).replace('-', "\u{2212}"))
+        .collect();
+    let nodes = of_default.iter().map(|row| row.nodes).max().unwrap_or(0);
+    format!(
+        "Boundary elements of the default level, {}, have up to {nodes} nodes a sphere; their worst load is off by {}.",
+        Bem::DEFAULT_LEVEL,
+        parts.join(", ")
+    )
 }
 
 fn row(

@@ -1,10 +1,12 @@
-//! The section on what accuracy costs in time, from the rows that `squirmers cost` left in the
-//! folder of the report: measured apart, since a measurement wants the machine to itself.
+//! The section on what accuracy costs in time: from the rows that `squirmers cost` has left in the folder of the
+//! report, or else from a quick measurement.
 
+use super::findings;
 use crate::CompareError;
-use crate::cost;
+use crate::cost::{self, CostOptions};
 use crate::figures::{deflections_work_precision, loads_work_precision};
-use crate::output::OutputFolder;
+use crate::output::{OutputFolder, csv_text};
+use crate::progress::Progress;
 use crate::report::{Figure, Section, Table};
 
 /// Error of the outgoing angles that the table aims at, in degrees.
@@ -16,13 +18,16 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CompareError> {
         title: "What accuracy costs in time".to_owned(),
         ..Section::default()
     };
-    let Some(csv) = out.read("cost.csv") else {
-        section.prose.push(
-            "Not measured yet: run `squirmers cost` with the same --out, on a machine that does \
-             nothing else, then `squirmers report` again."
-                .to_owned(),
-        );
-        return Ok(section);
+    let (name, csv) = match out.read("cost.csv") {
+        Some(csv) => ("cost.csv", csv),
+        None if out.account().stopped() => {
+            section.prose.push(
+                "The time limit was reached before it was measured: the same command goes on from here."
+                    .to_owned(),
+            );
+            return Ok(section);
+        }
+        None => ("cost-quick.csv", measured()?),
     };
     let rows = cost::read(&csv)?;
     section.prose.push(
@@ -30,11 +35,18 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CompareError> {
          warm-up."
             .to_owned(),
     );
-    let said = out.read("cost.txt").unwrap_or_default();
-    let measured: Vec<&str> = said.lines().collect();
-    section
-        .prose
-        .push(format!("Measured apart: {}.", measured.join("; ")));
+    section.prose.push(if name == "cost.csv" {
+        let said = out.read("cost.txt").unwrap_or_default();
+        let lines: Vec<&str> = said.lines().collect();
+        format!("Measured apart: {}.", lines.join("; "))
+    } else {
+        out.write(name, &csv)?;
+        "Measured with this page, few levels and cases of each method: run `squirmers cost` with the same --out, on \
+         a machine that does nothing else, then this again, for all of them."
+            .to_owned()
+    });
+    let found = cost::findings(&rows);
+    section.finding = findings::of_cost(&found);
     section.figures = vec![
         Figure {
             svg: loads_work_precision(&rows)?,
@@ -59,11 +71,19 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CompareError> {
     section.tables.push(Table::from_rows(
         "What the measurements come to.",
         "cost-findings.csv",
-        &cost::findings(&rows),
+        &found,
     )?);
     section.tables.push(Table {
         csv,
-        ..Table::from_rows(&caption, "cost.csv", &recommended)?
+        ..Table::from_rows(&caption, name, &recommended)?
     });
     Ok(section)
+}
+
+/// The rows of a quick measurement.
+fn measured() -> Result<String, CompareError> {
+    let progress = Progress::of(cost::STAGES, "cost");
+    let rows = cost::measure(&CostOptions { quick: true }, &|| progress.advance())?;
+    progress.finish();
+    csv_text(&rows)
 }

@@ -54,7 +54,7 @@ pub(super) fn section(models: &[Model]) -> Result<Section, CompareError> {
              compiled: no multiplication by zero, no branch, no column of a table, no solve."
                 .to_owned(),
         ],
-        figures: Vec::new(),
         tables: vec![Table::from_rows(caption, "effects.csv", &rows)?],
+        ..Section::default()
     })
 }

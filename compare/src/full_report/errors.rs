@@ -2,7 +2,9 @@
 
 use serde::Serialize;
 
-use super::{LOADS, account_for, words, write_unless_less};
+use scene::Hydrodynamics;
+
+use super::{LOADS, account_for, findings, words, write_unless_less};
 use crate::output::{OutputFolder, csv_text};
 use crate::report::{Figure, Section, Table};
 use crate::sweep::{self, SweepOptions};
@@ -37,6 +39,9 @@ pub(super) fn section(
     judged.sort_by_key(|model| model.method());
 
     let errors = load_errors(&judged, exact, LOADS)?;
+    let slopes = findings::slopes(
+        (judged.iter()).map(|model| (model.method(), *model as &dyn Hydrodynamics)),
+    )?;
     let errors_csv = csv_text(&errors)?;
     out.write("load-errors.csv", &errors_csv)?;
     let svg = figures::load_errors(&errors)?;
@@ -46,7 +51,8 @@ pub(super) fn section(
     Ok(Section {
         id: "errors".to_owned(),
         title: "How far each method is from the exact answer".to_owned(),
-        prose: words::errors(),
+        finding: findings::of_loads(&errors),
+        prose: vec![words::ERRORS.to_owned(), slopes],
         figures: vec![Figure {
             svg,
             caption: words::caption("load-errors").to_owned(),

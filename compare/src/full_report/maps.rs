@@ -1,11 +1,11 @@
 //! The sections on maps over the incoming angles: outcomes (Fig. 1c), deflections (Figs 2-4), shares
 //! (Fig. 5a), and where lubrication theory can be trusted, in the plane and off it.
 
+use super::findings::{self, percent};
 use super::{outcomes, written};
 use crate::cli::maps::SCATTER_BETA;
 use crate::maps::{
-    self, BoundRow, FateRow, Grid, Pair, ScatterRow, TrustRow, bound_examples, bound_rows,
-    trust_rows,
+    self, FateRow, Grid, Maps, Pair, ScatterRow, TrustRow, bound_examples, bound_rows, trust_rows,
 };
 use crate::output::{OutputFolder, csv_text};
 use crate::pictures;
@@ -28,43 +28,12 @@ const OFFSETS: [f64; 6] = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5];
 /// Tolerance of the steps in maps.
 const TOLERANCE: f64 = 1e-7;
 
-/// The sections; none without lubrication theory or without the exact series to judge it by.
-pub(super) fn sections(
-    models: &[Model],
-    sweep: &SweepOptions,
-    out: &OutputFolder,
-) -> Result<Vec<Section>, CompareError> {
-    // Boundary elements agree with the exact series, as the sections above show.
-    let models: Vec<&Model> = models
-        .iter()
-        .filter(|m| m.method() != Method::Bem)
-        .collect();
-    let exact = models.iter().find(|m| m.method() == Method::Exact);
-    let (Some(exact), true) = (exact, models.len() > 1) else {
-        return Ok(Vec::new());
-    };
-    let mut sweep = *sweep;
-    sweep.run.tolerance = TOLERANCE;
-    let report = Maps {
-        models: &models,
-        exact,
-        sweep: &sweep,
-        out,
-    };
-    let mut sections = vec![outcomes::section(&models, &sweep, out)?];
-    let Some(rows) = report.scatter(&mut sections)? else {
-        return Ok(sections);
-    };
-    report.fates(&mut sections)?;
-    report.trust(&rows, &mut sections)?;
-    report.trust_against_offset(&mut sections)?;
-    Ok(sections)
-}
-
-struct Maps<'a> {
-    models: &'a [&'a Model],
+/// The maps of the page.
+pub(super) struct ReportMaps<'a> {
+    /// All models but boundary elements, which agree with the exact series.
+    models: Vec<&'a Model>,
     exact: &'a Model,
-    sweep: &'a SweepOptions,
+    options: SweepOptions,
     out: &'a OutputFolder,
 }
 
@@ -76,33 +45,122 @@ fn in_plane(beta: f64) -> Pair {
     }
 }
 
-impl Maps<'_> {
+impl<'a> ReportMaps<'a> {
+    /// The maps; none without lubrication theory or without the exact series to judge it by.
+    pub(super) fn new(
+        models: &'a [Model],
+        sweep: &SweepOptions,
+        out: &'a OutputFolder,
+    ) -> Option<Self> {
+        let models: Vec<&Model> = (models.iter())
+            .filter(|model| model.method() != Method::Bem)
+            .collect();
+        let exact = models.iter().find(|m| m.method() == Method::Exact)?;
+        let mut options = *sweep;
+        options.run.tolerance = TOLERANCE;
+        (models.len() > 1).then(|| Self {
+            exact,
+            models: models.clone(),
+            options,
+            out,
+        })
+    }
+
+    fn named(
+        &self,
+        name: &'static str,
+        pairs: Vec<Pair>,
+        grid: usize,
+    ) -> Result<Maps<'a>, CompareError> {
+        Ok(Maps {
+            name,
+            models: self.models.clone(),
+            exact: None,
+            pairs,
+            grid: Grid::new(grid)?,
+            options: self.options,
+            out: self.out,
+        })
+    }
+
+    fn scatter_maps(&self) -> Result<Maps<'a>, CompareError> {
+        self.named("scatter", SCATTER_BETA.map(in_plane).into(), SCATTER_GRID)
+    }
+
+    fn fates_maps(&self) -> Result<Maps<'a>, CompareError> {
+        self.named(
+            "fates",
+            FATES_BETA.map(f64::from).map(in_plane).collect(),
+            FATES_GRID,
+        )
+    }
+
+    fn offset_maps(&self) -> Result<Maps<'a>, CompareError> {
+        let pairs = (SCATTER_BETA.into_iter())
+            .flat_map(|beta| OFFSETS.map(|dz| Pair { beta, g: 0.0, dz }))
+            .collect();
+        Ok(Maps {
+            models: self.judged(),
+            exact: Some(self.exact),
+            ..self.named("trust-offset", pairs, OFFSET_GRID)?
+        })
+    }
+
+    /// The models that the exact one judges.
+    fn judged(&self) -> Vec<&'a Model> {
+        (self.models.iter().copied())
+            .filter(|model| model.method() != Method::Exact)
+            .collect()
+    }
+
+    /// Makes sure that no finished lines of another command's maps would be lost.
+    pub(super) fn check(&self) -> Result<(), CompareError> {
+        for maps in [
+            self.scatter_maps()?,
+            self.fates_maps()?,
+            self.offset_maps()?,
+        ] {
+            maps.check()?;
+        }
+        Ok(())
+    }
+
+    /// The sections.
+    pub(super) fn sections(&self) -> Result<Vec<Section>, CompareError> {
+        let mut sections = vec![outcomes::section(&self.models, &self.options, self.out)?];
+        let Some(rows) = self.scatter(&mut sections)? else {
+            return Ok(sections);
+        };
+        self.fates(&mut sections)?;
+        self.trust(&rows, &mut sections)?;
+        self.trust_against_offset(&mut sections)?;
+        Ok(sections)
+    }
+
     /// Figs 1(c), 2, 3 and 4.
     fn scatter(
         &self,
         sections: &mut Vec<Section>,
     ) -> Result<Option<Vec<ScatterRow>>, CompareError> {
-        let pairs = SCATTER_BETA.map(in_plane);
-        let grid = Grid::new(SCATTER_GRID)?;
-        let Some(rows) = maps::scatter(self.models, &pairs, grid, self.sweep, self.out)? else {
+        let (mut shares, mut drawn, mut all) = (Vec::new(), Vec::new(), Vec::new());
+        let complete = (self.scatter_maps()?).scatter(&mut |model, pair, rows| {
+            shares.push(maps::fates_of(model, pair, &rows));
+            drawn.push((pair.beta, pictures::of_scatter(&rows)?));
+            all.extend(rows);
+            Ok(())
+        })?;
+        if !complete {
             sections.push(unfinished(
                 "scatter",
                 "Maps over the incoming angles (Figs 2 to 4)",
             ));
             return Ok(None);
-        };
-        let csv = csv_text(&rows)?;
-        self.out.write("scatter.csv", &csv)?;
-        let shares = maps::fates_of(self.models, &pairs, grid, &rows);
-        // Beta by beta, lubrication theory above what judges it.
-        let mut drawn = Vec::new();
-        for beta in SCATTER_BETA {
-            let of_beta: Vec<ScatterRow> = (rows.iter())
-                .filter(|row| row.beta.total_cmp(&beta).is_eq())
-                .cloned()
-                .collect();
-            drawn.extend(pictures::of_scatter(&of_beta)?);
         }
+        let csv = csv_text(&all)?;
+        // Beta by beta, lubrication theory above what judges it.
+        let place = |beta: f64| SCATTER_BETA.iter().position(|b| b.total_cmp(&beta).is_eq());
+        drawn.sort_by_key(|(beta, _)| place(*beta));
+        let drawn = drawn.into_iter().flat_map(|(_, pictures)| pictures);
         let table = Table::from_rows(
             "Shares of the plane; the linked file has every point.",
             "scatter.csv",
@@ -111,6 +169,7 @@ impl Maps<'_> {
         sections.push(Section {
             id: "scatter".to_owned(),
             title: "Maps over the incoming angles (Figs 1c and 2 to 4)".to_owned(),
+            finding: findings::of_bound(&shares),
             prose: vec![
                 "Squirmers start at (-1.5, 0) and (1.5, 0) with the angles φ1 = π(Σ - Δ)/2 and φ2 = \
                  π(Σ + Δ)/2. What becomes of them is told from the motion itself: scattered (I), at rest \
@@ -120,18 +179,16 @@ impl Maps<'_> {
                     .to_owned(),
                 bound_in_words(&shares),
             ],
-            figures: written(drawn, self.out)?,
+            figures: written(drawn.collect(), self.out)?,
             tables: vec![Table { csv, ..table }],
         });
-        Ok(Some(rows))
+        Ok(Some(all))
     }
 
     /// Fig. 5(a).
     fn fates(&self, sections: &mut Vec<Section>) -> Result<(), CompareError> {
         let title = "Share of each outcome against β (Fig. 5a)";
-        let pairs: Vec<Pair> = FATES_BETA.map(f64::from).map(in_plane).collect();
-        let grid = Grid::new(FATES_GRID)?;
-        let Some(rows) = maps::fates(self.models, &pairs, grid, self.sweep, self.out)? else {
+        let Some(rows) = self.fates_maps()?.fates()? else {
             sections.push(unfinished("fates", title));
             return Ok(());
         };
@@ -140,6 +197,7 @@ impl Maps<'_> {
         sections.push(Section {
             id: "fates".to_owned(),
             title: title.to_owned(),
+            finding: findings::of_fates(&rows),
             prose: vec![format!(
                 "Shares of a grid of {FATES_GRID} by {FATES_GRID} incoming angles; the sampling error in the \
                  table is that of as many random ones."
@@ -159,13 +217,12 @@ impl Maps<'_> {
                 .collect()
         };
         let referee = of(self.exact);
-        let judged = self.models.iter().filter(|m| m.method() != Method::Exact);
-        let trusted: Vec<TrustRow> = judged
+        let trusted: Vec<TrustRow> = (self.judged().into_iter())
             .flat_map(|model| of(model).into_iter().zip(referee.clone()))
             .zip(SCATTER_BETA.into_iter().cycle())
             .flat_map(|((judged, exact), beta)| trust_rows(judged, exact, in_plane(beta)))
             .collect();
-        let states = bound_rows(self.models, &SCATTER_BETA)?;
+        let states = bound_rows(&self.models, &SCATTER_BETA)?;
         let examples = bound_examples(&trusted, &states);
         let (csv, states_csv) = (csv_text(&trusted)?, csv_text(&states)?);
         self.out.write("trust.csv", &csv)?;
@@ -178,10 +235,11 @@ impl Maps<'_> {
             &shares,
         )?;
         let mut prose: Vec<String> = shares.iter().map(trust_in_words).collect();
-        prose.push(states_in_words(&states));
+        prose.push(findings::of_states(&states));
         sections.push(Section {
             id: "trust".to_owned(),
             title: "Where lubrication theory can be trusted".to_owned(),
+            finding: findings::of_trust(&shares),
             prose,
             figures: written(pictures::of_trust(&trusted)?, self.out)?,
             tables: vec![
@@ -209,26 +267,22 @@ impl Maps<'_> {
     /// Trust against the offset out of the plane.
     fn trust_against_offset(&self, sections: &mut Vec<Section>) -> Result<(), CompareError> {
         let title = "Trust in lubrication theory off the plane";
-        let pairs: Vec<Pair> = (SCATTER_BETA.into_iter())
-            .flat_map(|beta| OFFSETS.map(|dz| Pair { beta, g: 0.0, dz }))
-            .collect();
-        let judged: Vec<&Model> = (self.models.iter().copied())
-            .filter(|m| m.method() != Method::Exact)
-            .collect();
-        let grid = Grid::new(OFFSET_GRID)?;
-        let (exact, sweep, name) = (self.exact, self.sweep, "trust-offset");
-        let rows = maps::trust_as(name, &judged, exact, &pairs, grid, sweep, self.out)?;
-        let Some(rows) = rows else {
+        let mut shares = Vec::new();
+        let complete = (self.offset_maps()?).trust(false, &mut |_, _, rows| {
+            shares.extend(maps::trust_shares(&rows));
+            Ok(())
+        })?;
+        if !complete {
             sections.push(unfinished("trust-offset", title));
             return Ok(());
-        };
-        let shares = maps::trust_shares(&rows);
+        }
         let csv = csv_text(&shares)?;
         self.out.write("trust-offset.csv", &csv)?;
         let drawn = pictures::of_trust_against_offset(&shares)?;
         sections.push(Section {
             id: "trust-offset".to_owned(),
             title: title.to_owned(),
+            finding: findings::of_trust_against_offset(&shares),
             prose: vec![
                 "The same classes when the first squirmer starts raised by δz/2 and the second lowered by \
                  δz/2, over all incoming angles of the plane."
@@ -248,10 +302,6 @@ fn unfinished(id: &str, title: &str) -> Section {
         prose: vec!["The time limit was reached: the same command goes on from here.".to_owned()],
         ..Section::default()
     }
-}
-
-fn percent(share: f64) -> String {
-    format!("{:.1} %", 100.0 * share)
 }
 
 /// What is bound, map by map.
@@ -291,28 +341,5 @@ fn trust_in_words(shares: &maps::TrustShares) -> String {
         percent(shares.within_5_deg),
         percent(usable),
         percent(shares.other_outcome),
-    )
-}
-
-/// Which states attract, model by model.
-fn states_in_words(states: &[BoundRow]) -> String {
-    let stable: Vec<String> = (states.iter())
-        .filter(|state| state.growth < 0.0 && !state.one_of_a_line)
-        .map(|state| {
-            format!(
-                "{} has {} at β = {} (gap {:.3}, disturbances decay at the rate {:.3})",
-                state.method, state.outcome, state.beta, state.gap, -state.growth
-            )
-        })
-        .collect();
-    if stable.is_empty() {
-        return "No bound state attracts.".to_owned();
-    }
-    format!(
-        "Bound states that attract every small disturbance in the plane: {}. All others in the table are \
-         saddles, or neutral. Lubrication theory has besides, at its cut, a line of neutral states: any two \
-         squirmers side by side in parallel at a gap of exactly 1, where its loads have faded to those of \
-         lone squirmers. That is where its pullers swim together.",
-        stable.join("; ")
     )
 }

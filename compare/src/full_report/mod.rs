@@ -5,6 +5,7 @@ mod convergence;
 mod cost;
 mod effects;
 mod errors;
+mod findings;
 mod hard_cases;
 mod maps;
 mod outcomes;
@@ -17,12 +18,16 @@ use scene::{Gap, Hydrodynamics, LoadSet, TableLimit};
 
 use crate::cli::commands::{cases, failure};
 use crate::cli::maps::METHODS;
+use crate::kept_rows::{Drawn, KeptRows};
 use crate::output::{OutputFolder, csv_text};
 use crate::pictures::{Picture, of_encounters, of_offsets};
 use crate::report::{Figure, MethodCost, Page, Section, Table, render};
 use crate::sweep::{self, SweepOptions};
+use maps::ReportMaps;
+
 use crate::{
-    Approach, CompareError, Defaults, Encounter, Method, Model, ModelOptions, NoRun, provenance,
+    Approach, Case, CompareError, Defaults, Encounter, Method, Model, ModelOptions, NoRun,
+    provenance,
 };
 
 /// Gaps at which the page states each model's own error estimate: where collisions go.
@@ -44,13 +49,24 @@ pub(crate) fn write(
     let models = (methods.iter())
         .map(|&method| Model::set_up(method, options))
         .collect::<Result<Vec<_>, _>>()?;
+    check_kept(&models, sweep, out)?;
+    let maps = ReportMaps::new(&models, sweep, out);
+    if let Some(maps) = &maps {
+        maps.check()?;
+    }
+    let under_gravity: Vec<&Model> = (models.iter())
+        .filter(|model| METHODS.contains(&model.method()))
+        .collect();
+    if !under_gravity.is_empty() {
+        bottom_heavy::orbit_maps(&under_gravity, sweep, out)?.check()?;
+    }
     let mut content = Content::default();
     for approach in [Approach::HeadOn, Approach::Orthogonal] {
         content.add_encounters(approach, &models, sweep, out)?;
     }
     let planar = content.encounters.clone();
     content.add_offsets(&models, sweep, out)?;
-    content.add_bottom_heavy(&models, sweep, out)?;
+    content.add_bottom_heavy(&under_gravity, sweep, out)?;
     if let Some(exact) = models.iter().find(|m| m.method() == Method::Exact) {
         let section = errors::section(&models, exact, planar, sweep, out)?;
         content.sections.push(section);
@@ -58,12 +74,14 @@ pub(crate) fn write(
     if methods.contains(&Method::Bem) {
         content.sections.push(convergence::section(out)?);
     }
-    content
-        .sections
-        .extend(maps::sections(&models, sweep, out)?);
+    if let Some(maps) = maps {
+        content.sections.extend(maps.sections()?);
+    }
     content.sections.push(effects::section(&models)?);
     content.sections.push(hard_cases::section(options, out)?);
-    content.sections.push(cost::section(out)?);
+    if models.iter().any(|model| model.method() == Method::Exact) {
+        content.sections.push(cost::section(out)?);
+    }
     let page = Page {
         title: "Two squirmers collide: lubrication theory against full hydrodynamics".to_owned(),
         lead: words::lead(),
@@ -86,6 +104,50 @@ pub(crate) fn write(
 
 /// The page while the time limit has left something out: no whole page is replaced by it.
 const UNFINISHED: &str = "index.unfinished.html";
+
+/// The paper's encounters of an approach.
+fn paper_cases(approach: Approach) -> Result<Vec<Case>, CompareError> {
+    let defaults = Defaults::paper()?;
+    let lists = defaults.encounters(approach);
+    cases(approach, &lists.beta, &lists.dx, &lists.dz)
+}
+
+/// The paper's offsets out of the plane, and its cases with and without each of them.
+fn offset_cases() -> Result<(Vec<f64>, Vec<Case>), CompareError> {
+    let defaults = Defaults::paper()?.offset;
+    let cases = sweep::with_offsets(&defaults.cases(), &defaults.dz);
+    Ok((defaults.dz, cases))
+}
+
+fn kept_rows<'a>(
+    name: &'a str,
+    models: &'a [Model],
+    cases: &'a [Case],
+    options: &'a SweepOptions,
+    out: &'a OutputFolder,
+) -> KeptRows<'a> {
+    KeptRows {
+        name,
+        models,
+        cases,
+        options,
+        out,
+    }
+}
+
+/// Makes sure, before anything is computed, that nothing is lost that an earlier command has kept.
+fn check_kept(
+    models: &[Model],
+    sweep: &SweepOptions,
+    out: &OutputFolder,
+) -> Result<(), CompareError> {
+    for approach in [Approach::HeadOn, Approach::Orthogonal] {
+        let (name, cases) = (approach.to_string(), paper_cases(approach)?);
+        kept_rows(&name, models, &cases, sweep, out).check_encounters()?;
+    }
+    let (dz, cases) = offset_cases()?;
+    kept_rows("offset", models, &cases, sweep, out).check_offsets(&dz)
+}
 
 /// Enters encounters without a result.
 fn account_for(encounters: &[Encounter], out: &OutputFolder) {
@@ -119,20 +181,18 @@ impl Content {
         sweep: &SweepOptions,
         out: &OutputFolder,
     ) -> Result<(), CompareError> {
-        let defaults = Defaults::paper()?;
-        let lists = defaults.encounters(approach);
-        let cases = cases(approach, &lists.beta, &lists.dx, &lists.dz)?;
-        let encounters = sweep::encounters(models, &cases, sweep);
-        let rows: Vec<_> = encounters.iter().map(Encounter::row).collect();
+        let (name, cases) = (approach.to_string(), paper_cases(approach)?);
+        let kept = kept_rows(&name, models, &cases, sweep, out);
+        let mut rows = Vec::new();
+        let encounters = kept.encounters(Drawn::Paths, &mut |row| rows.push(row))?;
         let csv = csv_text(&rows)?;
-        let file_name = format!("{approach}.csv");
-        account_for(&encounters, out);
-        write_unless_less(&file_name, &csv, out)?;
+        let file_name = format!("{name}.csv");
         let (title, prose) = words::encounters(approach);
         self.sections.push(Section {
             id: approach.to_string(),
             title: title.to_owned(),
-            prose: vec![prose.to_owned()],
+            finding: findings::of_encounters(approach, &encounters),
+            prose: vec![prose],
             figures: written(of_encounters(approach, &encounters)?, out)?,
             tables: vec![Table::from_csv(
                 "Deflection is outgoing minus incoming angle; tau is the time spent at gaps up \
@@ -151,14 +211,15 @@ impl Content {
         sweep: &SweepOptions,
         out: &OutputFolder,
     ) -> Result<(), CompareError> {
-        let defaults = Defaults::paper()?.offset;
-        let (rows, encounters) = sweep::offsets(models, &defaults.cases(), &defaults.dz, sweep);
+        let (dz, cases) = offset_cases()?;
+        let kept = kept_rows("offset", models, &cases, sweep, out);
+        let mut rows = Vec::new();
+        kept.offsets(&dz, &mut |row| rows.push(row))?;
         let csv = csv_text(&rows)?;
-        account_for(&encounters, out);
-        write_unless_less("offset.csv", &csv, out)?;
         self.sections.push(Section {
             id: "offset".to_owned(),
             title: "Sensitivity to an offset out of the plane (Fig. 5b)".to_owned(),
+            finding: findings::of_offsets(&rows),
             prose: vec![
                 "The first squirmer starts raised by dz/2, the second lowered by dz/2. Shown is the \
                  angle between a squirmer's outgoing orientation with and without the offset."
@@ -173,21 +234,18 @@ impl Content {
                 &csv,
             )?],
         });
-        self.take(encounters);
         Ok(())
     }
 
     /// Lubrication theory as published beside exact hydrodynamics, as far as they are asked for.
     fn add_bottom_heavy(
         &mut self,
-        models: &[Model],
+        models: &[&Model],
         sweep: &SweepOptions,
         out: &OutputFolder,
     ) -> Result<(), CompareError> {
-        let beside = |model: &&Model| METHODS.contains(&model.method());
-        let models: Vec<_> = models.iter().filter(beside).collect();
         if !models.is_empty() {
-            let (section, failures) = bottom_heavy::section(&models, sweep, out)?;
+            let (section, failures) = bottom_heavy::section(models, sweep, out)?;
             self.sections.push(section);
             self.notes.extend(failures);
         }

@@ -46,6 +46,7 @@ pub(super) fn section(
             ],
             figures,
             tables,
+            ..Section::default()
         })
 }
 

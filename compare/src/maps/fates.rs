@@ -3,11 +3,10 @@
 use scene::Outcome;
 use serde::{Deserialize, Serialize};
 
-use super::Sweep;
-use super::grid::{Grid, Pair};
+use super::Maps;
+use super::grid::Pair;
 use super::scatter::{ScatterRow, line};
-use crate::output::{OutputFolder, csv_lines, rows_of};
-use crate::sweep::SweepOptions;
+use crate::output::csv_lines;
 use crate::{CompareError, Method, Model};
 
 /// One line of `fates.csv`: shares of the plane.
@@ -103,62 +102,34 @@ impl Counts {
     }
 }
 
-/// The shares for every model and pair, in this order; `None` where the time limit left something
-/// out, to be gone on with.
-///
-/// # Errors
-/// [`CompareError::Write`] if rows cannot be kept.
-pub fn fates(
-    models: &[&Model],
-    pairs: &[Pair],
-    grid: Grid,
-    sweep: &SweepOptions,
-    out: &OutputFolder,
-) -> Result<Option<Vec<FateRow>>, CompareError> {
-    fates_as("fates", models, pairs, grid, sweep, out)
+impl Maps<'_> {
+    /// The shares for every model and pair, in this order; `None` where the time limit left something
+    /// out, to be gone on with. The lines are kept until the maps' file is written.
+    ///
+    /// # Errors
+    /// [`CompareError::Write`] if rows cannot be kept.
+    pub fn fates(&self) -> Result<Option<Vec<FateRow>>, CompareError> {
+        let journal = self.lines(|model, pair, sigma, options| {
+            csv_lines(&[Counts::of(&line(model, pair, self.grid, sigma, options))])
+        })?;
+        let Some(journal) = journal else {
+            return Ok(None);
+        };
+        let mut rows = Vec::new();
+        self.hand_over(journal, false, &mut |model, pair, counts: Vec<Counts>| {
+            let failed = counts.iter().map(Counts::without_result).sum();
+            self.out.account().failed(failed);
+            rows.push(fate_row(model.method(), pair, &counts));
+            Ok(())
+        })?;
+        Ok(Some(rows))
+    }
 }
 
-/// As [`fates`], kept under another name until it is whole: a command may take more than one.
-pub(crate) fn fates_as(
-    name: &'static str,
-    models: &[&Model],
-    pairs: &[Pair],
-    grid: Grid,
-    sweep: &SweepOptions,
-    out: &OutputFolder,
-) -> Result<Option<Vec<FateRow>>, CompareError> {
-    let sweep = Sweep::new(name, models, pairs, grid, sweep);
-    let lines = sweep.run(out, |model, pair, sigma, options| {
-        csv_lines(&[Counts::of(&line(model, pair, grid, sigma, options))])
-    })?;
-    let Some(lines) = lines else {
-        return Ok(None);
-    };
-    let maps = (models.iter()).flat_map(|model| pairs.iter().map(move |pair| (model, *pair)));
-    let rows = (maps.zip(lines.chunks(grid.points())))
-        .map(|((model, pair), lines)| {
-            let counts: Vec<Counts> = rows_of(&lines.concat())?;
-            out.account()
-                .failed(counts.iter().map(Counts::without_result).sum());
-            Ok(fate_row(model.method(), pair, &counts))
-        })
-        .collect::<Result<_, CompareError>>()?;
-    Ok(Some(rows))
-}
-
-/// The shares in maps that have been run already: the rows of [`scatter`](super::scatter) of the same
-/// models, pairs and grid.
+/// The shares in a map that has been run already.
 #[must_use]
-pub fn fates_of(
-    models: &[&Model],
-    pairs: &[Pair],
-    grid: Grid,
-    rows: &[ScatterRow],
-) -> Vec<FateRow> {
-    let maps = (models.iter()).flat_map(|model| pairs.iter().map(move |pair| (model, *pair)));
-    maps.zip(rows.chunks(grid.points() * grid.points()))
-        .map(|((model, pair), rows)| fate_row(model.method(), pair, &[Counts::of(rows)]))
-        .collect()
+pub fn fates_of(model: &Model, pair: Pair, rows: &[ScatterRow]) -> FateRow {
+    fate_row(model.method(), pair, &[Counts::of(rows)])
 }
 
 fn fate_row(method: Method, pair: Pair, lines: &[Counts]) -> FateRow {

@@ -98,6 +98,24 @@ impl Journal {
         })
     }
 
+    /// Makes sure that [`Self::open`] loses no chunks of another sweep; nothing is changed or said.
+    ///
+    /// # Errors
+    /// As [`Self::open`].
+    pub(crate) fn check(out: &OutputFolder, name: &str, key: &str) -> Result<(), CompareError> {
+        let file_name = part_of(&format!("{name}.csv"));
+        let path = out.path().join(&file_name);
+        let failed = |source| out.failed(&file_name, source);
+        match File::open(&path) {
+            Ok(file) => {
+                let found = scan(BufReader::new(file), key, |_, _| Ok(())).map_err(failed)?;
+                found.refuse_other(&path, out.is_fresh())
+            }
+            Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
+            Err(error) => Err(failed(error)),
+        }
+    }
+
     fn kept(&self) -> MutexGuard<'_, Kept> {
         self.kept.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -175,15 +193,21 @@ impl Journal {
 }
 
 impl Found {
+    /// Refuses to lose chunks of another sweep.
+    fn refuse_other(&self, path: &std::path::Path, fresh: bool) -> Result<(), CompareError> {
+        match *self {
+            Self::Other { chunks } if chunks > 0 && !fresh => Err(CompareError::OtherSweep {
+                path: path.to_owned(),
+                chunks,
+            }),
+            _ => Ok(()),
+        }
+    }
+
     /// Says what is lost, or refuses to lose it.
     fn judge(&self, path: &std::path::Path, fresh: bool) -> Result<(), CompareError> {
+        self.refuse_other(path, fresh)?;
         match *self {
-            Self::Other { chunks } if chunks > 0 && !fresh => {
-                return Err(CompareError::OtherSweep {
-                    path: path.to_owned(),
-                    chunks,
-                });
-            }
             Self::Same { damaged } if damaged > 0 && !fresh => complain!(
                 "'{}': {damaged} finished pieces were edited or damaged and are computed again",
                 path.display()

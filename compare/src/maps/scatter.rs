@@ -3,11 +3,10 @@
 use scene::{Outcome, RunOptions};
 use serde::{Deserialize, Serialize};
 
-use super::Sweep;
 use super::grid::{Grid, Pair};
+use super::{Maps, SeeMap};
 use crate::encounter::FAILED;
-use crate::output::{OutputFolder, csv_lines, rows_of};
-use crate::sweep::SweepOptions;
+use crate::output::csv_lines;
 use crate::{CompareError, Method, Model};
 
 /// One line of `scatter.csv`. Deflections wind, anticlockwise positive; those of a pair that parts without gravity are
@@ -75,29 +74,26 @@ pub(super) fn line(
         .collect()
 }
 
-/// The maps of every model, pair and point of the grid, in this order, each `Sigma` a line of
-/// `Delta`; `None` where the time limit left something out, to be gone on with.
-///
-/// # Errors
-/// [`CompareError::Write`] if rows cannot be kept.
-pub fn scatter(
-    models: &[&Model],
-    pairs: &[Pair],
-    grid: Grid,
-    sweep: &SweepOptions,
-    out: &OutputFolder,
-) -> Result<Option<Vec<ScatterRow>>, CompareError> {
-    let sweep = Sweep::new("scatter", models, pairs, grid, sweep);
-    let lines = sweep.run(out, |model, pair, sigma, options| {
-        csv_lines(&line(model, pair, grid, sigma, options))
-    })?;
-    let Some(lines) = lines else {
-        return Ok(None);
-    };
-    let rows: Vec<ScatterRow> = rows_of(&lines.concat())?;
-    let failed = rows.iter().filter(|row| row.outcome == FAILED).count();
-    out.account().failed(failed);
-    Ok(Some(rows))
+impl Maps<'_> {
+    /// Hands the rows of each map to `see`, one map at a time, each `Sigma` a line of `Delta`, and writes all to the
+    /// maps' file; whether all are done, or the time limit left something out, to be gone on with.
+    ///
+    /// # Errors
+    /// [`CompareError::Write`] if rows cannot be kept; those of `see`.
+    pub fn scatter(&self, see: &mut SeeMap<'_, ScatterRow>) -> Result<bool, CompareError> {
+        let journal = self.lines(|model, pair, sigma, options| {
+            csv_lines(&line(model, pair, self.grid, sigma, options))
+        })?;
+        let Some(journal) = journal else {
+            return Ok(false);
+        };
+        self.hand_over(journal, true, &mut |model, pair, rows: Vec<ScatterRow>| {
+            let failed = rows.iter().filter(|row| row.outcome == FAILED).count();
+            self.out.account().failed(failed);
+            see(model, pair, rows)
+        })?;
+        Ok(true)
+    }
 }
 
 impl ScatterRow {

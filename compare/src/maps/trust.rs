@@ -3,13 +3,12 @@
 use scene::Outcome;
 use serde::{Deserialize, Serialize};
 
-use super::Sweep;
-use super::grid::{Grid, Pair};
+use super::grid::Pair;
 use super::scatter::{ScatterRow, line};
+use super::{Maps, SeeMap};
+use crate::CompareError;
 use crate::encounter::FAILED;
-use crate::output::{OutputFolder, csv_lines, rows_of};
-use crate::sweep::SweepOptions;
-use crate::{CompareError, Method, Model};
+use crate::output::csv_lines;
 
 /// One line of `trust.csv`. Differences are those of the deflections, lubrication less exact; of a
 /// bound pair they are those of the orientations at the end of the run.
@@ -171,47 +170,32 @@ pub fn trust_rows(judged: &[ScatterRow], exact: &[ScatterRow], pair: Pair) -> Ve
         .collect()
 }
 
-/// Judges each of `models` by `exact` at every pair and point of the grid, in this order; `None` where
-/// the time limit left something out, to be gone on with.
-///
-/// # Errors
-/// [`CompareError::Write`] if rows cannot be kept.
-pub fn trust(
-    models: &[&Model],
-    exact: &Model,
-    pairs: &[Pair],
-    grid: Grid,
-    sweep: &SweepOptions,
-    out: &OutputFolder,
-) -> Result<Option<Vec<TrustRow>>, CompareError> {
-    trust_as("trust", models, exact, pairs, grid, sweep, out)
-}
-
-/// As [`trust`], kept under another name until it is whole.
-pub(crate) fn trust_as(
-    name: &'static str,
-    models: &[&Model],
-    exact: &Model,
-    pairs: &[Pair],
-    grid: Grid,
-    sweep: &SweepOptions,
-    out: &OutputFolder,
-) -> Result<Option<Vec<TrustRow>>, CompareError> {
-    debug_assert_eq!(exact.method(), Method::Exact);
-    let sweep = Sweep::new(name, models, pairs, grid, sweep);
-    let lines = sweep.run(out, |model, pair, sigma, options| {
-        let judged = line(model, pair, grid, sigma, options);
-        let referee = line(exact, pair, grid, sigma, options);
-        csv_lines(&trust_rows(&judged, &referee, pair))
-    })?;
-    let Some(lines) = lines else {
-        return Ok(None);
-    };
-    let rows: Vec<TrustRow> = rows_of(&lines.concat())?;
-    let outcomes = rows
-        .iter()
-        .flat_map(|row| [&row.outcome_lt, &row.outcome_exact]);
-    let failed = outcomes.filter(|outcome| *outcome == FAILED).count();
-    out.account().failed(failed);
-    Ok(Some(rows))
+impl Maps<'_> {
+    /// Judges each of the models by the exact one at every pair and point of the grid: hands the rows of each map to
+    /// `see`, one map at a time, and writes all to the maps' file if they are to be kept; whether all are done, or the
+    /// time limit left something out, to be gone on with.
+    ///
+    /// # Errors
+    /// [`CompareError::Write`] if rows cannot be kept; [`CompareError::Input`] without an exact model; those of `see`.
+    pub fn trust(&self, kept: bool, see: &mut SeeMap<'_, TrustRow>) -> Result<bool, CompareError> {
+        let Some(exact) = self.exact else {
+            let allowed = "name exact, and what it is to judge, such as lt,exact";
+            return Err(CompareError::input("--method", "without exact", allowed));
+        };
+        let journal = self.lines(|model, pair, sigma, options| {
+            let judged = line(model, pair, self.grid, sigma, options);
+            let referee = line(exact, pair, self.grid, sigma, options);
+            csv_lines(&trust_rows(&judged, &referee, pair))
+        })?;
+        let Some(journal) = journal else {
+            return Ok(false);
+        };
+        self.hand_over(journal, kept, &mut |model, pair, rows: Vec<TrustRow>| {
+            let outcomes = (rows.iter()).flat_map(|row| [&row.outcome_lt, &row.outcome_exact]);
+            let failed = outcomes.filter(|outcome| *outcome == FAILED).count();
+            self.out.account().failed(failed);
+            see(model, pair, rows)
+        })?;
+        Ok(true)
+    }
 }

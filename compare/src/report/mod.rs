@@ -36,6 +36,8 @@ pub struct Section {
     pub id: String,
     /// Heading.
     pub title: String,
+    /// What it found, in a sentence or two, for the first screen of the page; empty if nothing.
+    pub finding: String,
     /// Paragraphs.
     pub prose: Vec<String>,
     /// Pictures.

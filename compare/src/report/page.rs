@@ -12,7 +12,7 @@ const STYLE: &str = include_str!("page.css");
 /// Width in pixels down to which a picture shrinks before it scrolls: its share, and no less.
 const SMALLEST_SHARE: f64 = 0.72;
 
-/// Rows beyond which a table scrolls in a box of its own.
+/// Rows beyond which a table is shown only when it is asked for.
 const LONG: usize = 16;
 
 /// The page as one HTML file that loads nothing.
@@ -22,8 +22,8 @@ pub fn render(page: &Page) -> String {
         id: "cost".to_owned(),
         title: "How long each method took".to_owned(),
         prose: vec![COST_PROSE.to_owned()],
-        figures: Vec::new(),
         tables: vec![MethodCost::table(&page.costs)],
+        ..Section::default()
     });
     let sections: Vec<&Section> = page.sections.iter().chain(&costs).collect();
     let markup = html! {
@@ -40,8 +40,10 @@ pub fn render(page: &Page) -> String {
                 main {
                     h1 { (page.title) }
                     @for paragraph in &page.lead { p { (paragraph) } }
+                    (findings(&sections))
                     @if sections.len() > 1 {
                         nav aria-label="Contents" {
+                            h2 { "Contents" }
                             ul {
                                 @for section in &sections {
                                     li { a href={ "#" (section.id) } { (section.title) } }
@@ -69,10 +71,30 @@ const COST_PROSE: &str = "Wall-clock times in seconds: set-up is the building of
     a run is one encounter with the table at hand. Errors are relative and the methods' own \
     estimates: of interpolation in the table, and of the loads at gaps near contact.";
 
+/// What each section found, with a link to it.
+fn findings(sections: &[&Section]) -> Markup {
+    let found: Vec<_> = (sections.iter())
+        .filter(|section| !section.finding.is_empty())
+        .collect();
+    html! {
+        @if !found.is_empty() {
+            section id="findings" {
+                h2 { "What was found" }
+                ul {
+                    @for section in found {
+                        li { a href={ "#" (section.id) } { (section.title) } ": " (section.finding) }
+                    }
+                }
+            }
+        }
+    }
+}
+
 fn section(section: &Section) -> Markup {
     html! {
         section id=(section.id) {
             h2 { (section.title) }
+            @if !section.finding.is_empty() { p.finding { (section.finding) } }
             @for paragraph in &section.prose { p { (paragraph) } }
             @for figure in &section.figures { (self::figure(figure)) }
             @for table in &section.tables { (self::table(table)) }
@@ -116,6 +138,30 @@ fn table(table: &Table) -> Markup {
         .collect();
     let class = |i: usize| numeric.get(i).is_some_and(|n| *n).then_some("number");
     let data = BASE64_STANDARD.encode(&table.csv);
+    let rows = html! {
+        div.wide tabindex="0" {
+            table {
+                thead {
+                    tr {
+                        @for (i, header) in table.headers.iter().enumerate() {
+                            th scope="col" class=[class(i)] { (header) }
+                        }
+                    }
+                }
+                tbody {
+                    @for record in &table.records {
+                        tr {
+                            @for (i, (header, field)) in
+                                table.headers.iter().zip(record).enumerate()
+                            {
+                                td class=[class(i)] { (displayed(header, field)) }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    };
     html! {
         div.table {
             p {
@@ -124,27 +170,13 @@ fn table(table: &Table) -> Markup {
                     (table.file_name)
                 }
             }
-            div.wide.long[table.records.len() > LONG] tabindex="0" {
-                table {
-                    thead {
-                        tr {
-                            @for (i, header) in table.headers.iter().enumerate() {
-                                th scope="col" class=[class(i)] { (header) }
-                            }
-                        }
-                    }
-                    tbody {
-                        @for record in &table.records {
-                            tr {
-                                @for (i, (header, field)) in
-                                    table.headers.iter().zip(record).enumerate()
-                                {
-                                    td class=[class(i)] { (displayed(header, field)) }
-                                }
-                            }
-                        }
-                    }
+            @if table.records.len() > LONG {
+                details {
+                    summary { "Show the " (table.records.len()) " rows" }
+                    (rows)
                 }
+            } @else {
+                (rows)
             }
         }
     }

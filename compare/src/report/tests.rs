@@ -30,6 +30,7 @@ fn page() -> Page {
         sections: vec![Section {
             id: "offset".to_owned(),
             title: "Offset out of the plane".to_owned(),
+            finding: "Offsets matter.".to_owned(),
             prose: vec!["Prose.".to_owned()],
             figures: vec![Figure {
                 svg: svg.to_owned(),
@@ -69,6 +70,32 @@ fn page_holds_every_section() {
     ] {
         assert!(html.contains(part), "{part}");
     }
+}
+
+#[test]
+fn the_page_begins_with_what_was_found_and_links_to_where() {
+    let html = render(&page());
+    let (first, rest) = html
+        .split_once("aria-label=\"Contents\"")
+        .expect("contents");
+    let link = "<a href=\"#offset\">Offset out of the plane</a>: Offsets matter.";
+    assert!(first.contains(link), "{first}");
+    assert!(rest.contains("<p class=\"finding\">Offsets matter.</p>"));
+    let mut without = page();
+    without.sections[0].finding.clear();
+    assert!(!render(&without).contains("id=\"findings\""));
+}
+
+#[test]
+fn a_long_table_is_shown_when_it_is_asked_for() {
+    let mut page = page();
+    assert!(!render(&page).contains("<details>"));
+    let long: Vec<_> = (0..9).flat_map(|_| rows()).collect();
+    page.sections[0].tables[0] =
+        Table::from_rows("Offsets", "offset.csv", &long).expect("flat rows");
+    let html = render(&page);
+    assert!(html.contains("<details><summary>Show the 18 rows</summary>"));
+    assert!(html.contains("download=\"offset.csv\""));
 }
 
 #[test]
