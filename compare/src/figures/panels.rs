@@ -90,10 +90,10 @@ pub fn panels(runs: &[PanelRun], title: &str) -> Result<String, FigureError> {
                     ticks: (4, 9),
                 };
                 let corner = (NAMES + cell.0 * column as f64 + LEFT, top);
-                let panel = canvas.panel(corner, PLOT, axes)?;
-                if let Some(run) = mine {
-                    draw(&panel, run)?;
-                }
+                canvas.panel(corner, PLOT, axes, |panel| match mine {
+                    Some(run) => draw(panel, run),
+                    None => Ok(()),
+                })?;
             }
         }
         canvas.legend(&legend, legend_top, width)

@@ -4,7 +4,7 @@ use plotters::prelude::*;
 
 use super::{Anchor, Canvas, Stroke, TEXT, fine, text_width};
 use crate::figures::FigureError;
-use crate::figures::style::{INK, Shape};
+use crate::figures::style::{Fill, INK, Shape};
 
 /// What a legend's entry shows.
 #[derive(Clone, Copy)]
@@ -15,7 +15,7 @@ pub(in crate::figures) enum Key {
     Dot,
     Sphere,
     Arrow(RGBColor),
-    Patch(RGBColor),
+    Patch(Fill),
 }
 
 /// One entry of a legend.
@@ -83,9 +83,9 @@ impl Canvas<'_> {
             Key::Dot => self.dot(middle, INK),
             Key::Sphere => self.sphere(middle, 9.0, INK),
             Key::Arrow(colour) => self.arrow((x + 6.0, y), (1.0, 0.0), 22.0, colour),
-            Key::Patch(colour) => {
+            Key::Patch(fill) => {
                 let (corner, size) = ((x + 10.0, y - 7.0), (22.0, 14.0));
-                self.rectangle(corner, size, colour)?;
+                self.patch(corner, size, fill)?;
                 let far = (corner.0 + size.0, corner.1 + size.1);
                 let at = |(x, y)| (fine(x), fine(y));
                 self.draw(&Rectangle::new([at(corner), at(far)], INK.stroke_width(2)))

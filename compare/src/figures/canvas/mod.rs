@@ -8,6 +8,7 @@ mod image;
 mod legend;
 mod marks;
 mod panel;
+mod ticks;
 
 use std::cell::RefCell;
 
@@ -20,8 +21,10 @@ use super::FigureError;
 use super::style::{Dash, INK};
 
 pub(super) use axes::Axes;
+pub(super) use image::whole_side;
 pub(super) use legend::{Entry, Key, legend_height};
-pub(super) use panel::Panel;
+pub(super) use panel::{MapCell, Panel};
+pub(super) use ticks::Scale;
 
 /// Drawn pixels per nominal pixel.
 const FINENESS: f64 = 4.0;
