@@ -41,42 +41,50 @@ pub(super) const fn outcome_fill(outcome: Option<Outcome>) -> Fill {
 /// Fill, in the panels of numbers, of pairs that did not scatter: the scales have no hatch.
 const BOUND: Fill = Fill::new((150, 150, 150), Hatch::Rising);
 
-/// What a pair has in the panels of numbers.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Shown {
-    /// It scattered, and its numbers are known.
-    Numbers,
-    /// It did not scatter.
-    Bound,
-    /// How it ended is not known: its fill is that of the panel of outcomes.
-    Unknown,
+/// What the panels of numbers show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Quantity {
+    Deflection,
+    Time,
 }
 
-impl Shown {
-    fn of(row: &ScatterRow) -> Self {
-        let numbers = [row.deflection1_deg, row.deflection2_deg, row.tau];
-        match row.outcome() {
-            Some(Outcome::Scattered) if numbers.iter().all(|v| v.is_finite()) => Self::Numbers,
-            Some(Outcome::Scattered | Outcome::Undecided | Outcome::Unresolved) | None => {
-                Self::Unknown
-            }
-            Some(_) => Self::Bound,
+impl Quantity {
+    /// Whether pairs of an outcome have it; none where it is not known how they ended.
+    fn belongs_to(self, outcome: Option<Outcome>) -> Option<bool> {
+        match outcome {
+            Some(Outcome::Scattered) => Some(true),
+            // They have parted, or are side by side, but gravity has turned them.
+            Some(Outcome::Upward) => Some(self == Self::Time),
+            Some(Outcome::Undecided | Outcome::Unresolved) | None => None,
+            Some(_) => Some(false),
         }
     }
 
-    /// The point in a panel of numbers.
-    fn cell(row: &ScatterRow, colour: RGBColor) -> MapCell {
-        let shown = Self::of(row);
-        let fill = match (shown, row.outcome()) {
-            (Self::Numbers, _) => Fill::plain(colour),
-            (Self::Bound, _) => BOUND,
-            (Self::Unknown, Some(Outcome::Scattered)) => outcome_fill(None),
-            (Self::Unknown, outcome) => outcome_fill(outcome),
+    /// Whether it is known of a pair.
+    fn is_known(self, row: &ScatterRow) -> bool {
+        let finite = match self {
+            Self::Deflection => row.deflection1_deg.is_finite() && row.deflection2_deg.is_finite(),
+            Self::Time => row.tau.is_finite(),
         };
-        MapCell {
-            fill,
-            is_data: shown == Self::Numbers,
-        }
+        finite && self.belongs_to(row.outcome()) == Some(true)
+    }
+
+    /// The point of a pair in a panel, of the colour of its number if it has one.
+    fn cell(self, row: &ScatterRow, colour: RGBColor) -> MapCell {
+        let is_data = self.is_known(row);
+        let fill = match self.belongs_to(row.outcome()) {
+            Some(true) if is_data => Fill::plain(colour),
+            Some(true) => outcome_fill(None),
+            Some(false) => BOUND,
+            None => outcome_fill(row.outcome()),
+        };
+        MapCell { fill, is_data }
+    }
+
+    /// Whether its panel has points of pairs that have none.
+    fn is_hatched(self, rows: &[ScatterRow]) -> bool {
+        let lacks = |row: &ScatterRow| self.belongs_to(row.outcome()) == Some(false);
+        rows.iter().any(|row| self.is_known(row)) && rows.iter().any(lacks)
     }
 }
 
@@ -87,15 +95,17 @@ fn legend(rows: &[ScatterRow]) -> Vec<Vec<Entry>> {
         .filter(|o| occurs(Some(*o)))
         .map(|o| (Key::Patch(outcome_fill(Some(o))), o.to_string()))
         .collect();
-    let no_number = |row: &ScatterRow| {
-        row.outcome() == Some(Outcome::Scattered) && Shown::of(row) == Shown::Unknown
+    let [deflection, time] = [Quantity::Deflection, Quantity::Time];
+    let lost = |row: &ScatterRow| {
+        let owed = |q: Quantity| q.belongs_to(row.outcome()) == Some(true) && !q.is_known(row);
+        owed(deflection) || owed(time)
     };
-    if occurs(None) || rows.iter().any(no_number) {
+    if occurs(None) || rows.iter().any(lost) {
         outcomes.push((Key::Patch(outcome_fill(None)), "failed".to_owned()));
     }
     let mut legend = vec![outcomes];
-    if rows.iter().any(|row| Shown::of(row) == Shown::Bound) {
-        let text = "not scattered: neither deflection nor τ".to_owned();
+    if deflection.is_hatched(rows) || time.is_hatched(rows) {
+        let text = "not scattered: no deflection; bound: no τ".to_owned();
         legend.push(vec![(Key::Patch(BOUND), text)]);
     }
     legend
@@ -121,7 +131,7 @@ pub fn scatter(rows: &[ScatterRow]) -> Result<String, FigureError> {
     let legend_top = TITLE + 2.0 * storey + 8.0;
     let height = legend_top + legend_height(&legend, width);
     let angle = (rows.iter())
-        .filter(|row| Shown::of(row) == Shown::Numbers)
+        .filter(|row| Quantity::Deflection.is_known(row))
         .flat_map(|row| [row.deflection1_deg.abs(), row.deflection2_deg.abs()])
         .fold(30.0, f64::max);
     let angle = (angle / 30.0).ceil() * 30.0;
@@ -134,7 +144,7 @@ pub fn scatter(rows: &[ScatterRow]) -> Result<String, FigureError> {
         for k in [0, 1] {
             let cells = rows.iter().map(|row| {
                 let deflection = [row.deflection1_deg, row.deflection2_deg][k];
-                Shown::cell(row, heat::diverging(deflection / angle))
+                Quantity::Deflection.cell(row, heat::diverging(deflection / angle))
             });
             let title = format!("Deflection of squirmer {}", k + 1);
             draw(canvas, corner(k), title, plot, cells)?;
@@ -145,7 +155,8 @@ pub fn scatter(rows: &[ScatterRow]) -> Result<String, FigureError> {
             };
             bar.draw(canvas, (corner(k).0 + side + 14.0, corner(k).1), side)?;
         }
-        let cells = (rows.iter()).map(|row| Shown::cell(row, heat::sequential(row.tau / LONGEST)));
+        let cells =
+            (rows.iter()).map(|row| Quantity::Time.cell(row, heat::sequential(row.tau / LONGEST)));
         let title = "Interaction time τ".to_owned();
         draw(canvas, corner(2), title, plot, cells)?;
         let bar = Bar {
@@ -218,15 +229,23 @@ mod tests {
     #[test]
     fn bound_undecided_and_failed_pairs_are_filled_unlike_any_number() {
         for outcome in ["pairwise", "contact", "undecided", "unresolved", "failed"] {
-            let cell = Shown::cell(&row(outcome, 400.0), heat::diverging(1.0));
-            assert!(!cell.is_data, "{outcome}");
-            assert!(
-                cell.fill == BOUND || cell.fill.hatch == Hatch::Crossed,
-                "{outcome}"
-            );
+            for quantity in [Quantity::Deflection, Quantity::Time] {
+                let cell = quantity.cell(&row(outcome, 400.0), heat::diverging(1.0));
+                assert!(!cell.is_data, "{outcome}");
+                let hatched = cell.fill == BOUND || cell.fill.hatch == Hatch::Crossed;
+                assert!(hatched, "{outcome}");
+            }
         }
-        let unknown = Shown::cell(&row("scattered", f64::NAN), heat::diverging(f64::NAN));
+        let unknown = row("scattered", f64::NAN);
+        let unknown = Quantity::Deflection.cell(&unknown, heat::diverging(f64::NAN));
         assert_eq!(unknown.fill, outcome_fill(None));
+    }
+
+    #[test]
+    fn pairs_that_gravity_has_righted_have_a_time_and_no_deflection() {
+        let upward = row("upward", 3.0);
+        assert!(Quantity::Time.is_known(&upward));
+        assert!(!Quantity::Deflection.is_known(&upward));
     }
 
     #[test]
@@ -240,9 +259,12 @@ mod tests {
         };
         assert_eq!(names(&[row("scattered", 1.0)]), ["scattered"]);
         assert_eq!(names(&[row("failed", f64::NAN)]), ["failed"]);
-        let all = names(&[row("pairwise", 1.0), row("failed", f64::NAN)]);
-        assert_eq!(all[..2], ["pairwise", "failed"]);
-        assert!(all[2].starts_with("not scattered"), "{all:?}");
+        // No panel has a number, so that none has a hatch in its place.
+        let none = names(&[row("pairwise", 1.0), row("failed", f64::NAN)]);
+        assert_eq!(none, ["pairwise", "failed"]);
+        let both = names(&[row("pairwise", 1.0), row("scattered", 1.0)]);
+        assert_eq!(both[..2], ["scattered", "pairwise"]);
+        assert!(both[2].starts_with("not scattered"), "{both:?}");
     }
 
     #[test]

@@ -41,7 +41,7 @@ pub(super) struct Fill {
 }
 
 /// Lightness of a fill from which on its hatch is dark.
-const LIGHT: f64 = 45.0;
+const LIGHT: f64 = 50.0;
 
 impl Fill {
     pub(super) const fn new((red, green, blue): (u8, u8, u8), hatch: Hatch) -> Self {
