@@ -34,7 +34,7 @@ pub(super) fn padded(values: impl IntoIterator<Item = f64>, share: f64, least: f
     let margin = if extent <= least.max(NARROWEST * size) {
         about(size, least)
     } else {
-        (share * extent).max(1e-3 * size)
+        share * extent
     };
     low - margin..high + margin
 }
@@ -135,6 +135,8 @@ mod tests {
     fn tiny_differences_fill_the_axis_unless_they_are_noise() {
         let tiny = padded([1e-9, 3e-9], 0.1, 0.0);
         assert!(tiny.end - tiny.start < 3e-9, "{tiny:?}");
+        let close = padded([1.0, 1.000_000_1], 0.1, 0.0);
+        assert!(close.end - close.start < 2e-7, "{close:?}");
         let noise = padded([0.0, 1e-12], 0.1, 1e-5);
         assert!(noise.end - noise.start > 0.5, "{noise:?}");
     }
