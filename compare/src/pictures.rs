@@ -12,7 +12,7 @@ pub(crate) struct Picture {
     pub(crate) svg: String,
 }
 
-/// Trajectories and deflections of one approach; none where no run has a result.
+/// Trajectories and deflections of one approach; none without runs.
 pub(crate) fn of_encounters(
     approach: Approach,
     encounters: &[Encounter],
@@ -27,17 +27,17 @@ pub(crate) fn of_encounters(
         .collect()
 }
 
-/// The offset sensitivity; none where no run has a result.
+/// The offset sensitivity; none without runs.
 pub(crate) fn of_offsets(rows: &[OffsetRow]) -> Result<Option<Picture>, CompareError> {
     picture("offset.svg".to_owned(), figures::offset(rows))
 }
 
-/// Trajectories under gravity; none where no run has a result.
+/// Trajectories under gravity; none without runs.
 pub(crate) fn of_bottom_heavy(runs: &[PanelRun]) -> Result<Option<Picture>, CompareError> {
     of_panels("bottom-heavy.svg", "Bottom-heavy squirmers", runs)
 }
 
-/// Trajectories of pairs, a panel for each start; none where no run has a result.
+/// Trajectories of pairs, a panel for each start; none without runs.
 pub(crate) fn of_panels(
     file_name: &str,
     title: &str,
@@ -46,9 +46,9 @@ pub(crate) fn of_panels(
     picture(file_name.to_owned(), figures::panels(runs, title))
 }
 
-/// Leaves out a picture of nothing. This is the one place that says when: where there are no rows, or no run among them
-/// has a path to draw, so that not even axes are known, a figure is [`FigureError::Empty`]. A sweep of which nothing
-/// could be run has rows that say so, but no picture. In any other picture a panel without a value says "no data".
+/// Leaves out a picture of nothing. This is the one place that says when: where there are no runs, or paths of them were
+/// not kept, a figure is [`FigureError::Empty`]. Runs that failed have a picture that says "no data" in each panel: it
+/// takes the place of one that an earlier command has left.
 fn picture(
     file_name: String,
     svg: Result<String, FigureError>,

@@ -2,8 +2,8 @@
 //!
 //! A new figure is a function from rows to SVG text beside these, and a section of the page.
 //!
-//! A panel in which nothing was drawn says "no data" by itself. A picture of nothing at all, without rows or without a path
-//! from which axes could be made, is [`FigureError::Empty`].
+//! A panel in which nothing was drawn says "no data" by itself. A picture of nothing at all, without runs, kept paths or
+//! measurements, is [`FigureError::Empty`].
 
 mod canvas;
 mod deflection;

@@ -25,6 +25,9 @@ const DRAWN_GAP: f64 = 1.0;
 /// Least ratio of a window's sides: of paths far apart a strip would be left.
 const NARROWEST: f64 = 0.25;
 
+/// Window of a picture of which all runs have failed, in radii.
+const NOWHERE: (Range<f64>, Range<f64>) = (-6.0..6.0, -6.0..6.0);
+
 /// Distance between drawn points of a trajectory, in radii.
 const SPACING: f64 = 0.04;
 
@@ -126,7 +129,7 @@ fn flies_on(method: Method) -> bool {
 /// betas the columns (Fig. 7). All panels show the same window at the same scale along x and y.
 ///
 /// # Errors
-/// [`FigureError`] if there is no run with samples, or more than one approach.
+/// [`FigureError`] if there is no run, none that has not failed has samples, or there is more than one approach.
 pub fn trajectories(encounters: &[Encounter]) -> Result<String, FigureError> {
     const EMPTY: FigureError = FigureError::Empty {
         what: "no run with samples",
@@ -153,7 +156,8 @@ pub fn trajectories(encounters: &[Encounter]) -> Result<String, FigureError> {
         let dz = heights.iter().position(|v| same(*v, e.case.dz));
         dx.unwrap_or(0) * heights.len() + dz.unwrap_or(0)
     };
-    let (x, y) = window(&tracks).ok_or(EMPTY)?;
+    let failed = encounters.iter().all(|e| e.run.is_err());
+    let (x, y) = window(&tracks).or(failed.then_some(NOWHERE)).ok_or(EMPTY)?;
 
     let (columns, rows) = if betas.len() == 1 {
         (methods.len(), 1)
