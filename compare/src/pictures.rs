@@ -3,6 +3,7 @@
 use crate::bottom_heavy::PanelRun;
 use crate::figures::{self, FigureError};
 use crate::maps::{FateRow, Pair, ScatterRow, TrustRow, TrustShares, trust_shares};
+use crate::numbers::written;
 use crate::{Approach, CompareError, Encounter, OffsetRow};
 
 /// A picture and the name of its file.
@@ -11,7 +12,7 @@ pub(crate) struct Picture {
     pub(crate) svg: String,
 }
 
-/// Trajectories and deflections of one approach; none where no run has a result.
+/// Trajectories and deflections of one approach; none without runs.
 pub(crate) fn of_encounters(
     approach: Approach,
     encounters: &[Encounter],
@@ -26,17 +27,17 @@ pub(crate) fn of_encounters(
         .collect()
 }
 
-/// The offset sensitivity; none where no run has a result.
+/// The offset sensitivity; none without runs.
 pub(crate) fn of_offsets(rows: &[OffsetRow]) -> Result<Option<Picture>, CompareError> {
     picture("offset.svg".to_owned(), figures::offset(rows))
 }
 
-/// Trajectories under gravity; none where no run has a result.
+/// Trajectories under gravity; none without runs.
 pub(crate) fn of_bottom_heavy(runs: &[PanelRun]) -> Result<Option<Picture>, CompareError> {
     of_panels("bottom-heavy.svg", "Bottom-heavy squirmers", runs)
 }
 
-/// Trajectories of pairs, a panel for each start; none where no run has a result.
+/// Trajectories of pairs, a panel for each start; none without runs.
 pub(crate) fn of_panels(
     file_name: &str,
     title: &str,
@@ -45,7 +46,9 @@ pub(crate) fn of_panels(
     picture(file_name.to_owned(), figures::panels(runs, title))
 }
 
-/// A sweep of which nothing could be run has rows that say so, but no picture.
+/// Leaves out a picture of nothing. This is the one place that says when: where there are no runs, or paths of them were
+/// not kept, a figure is [`FigureError::Empty`]. Runs that failed have a picture that says "no data" in each panel: it
+/// takes the place of one that an earlier command has left.
 fn picture(
     file_name: String,
     svg: Result<String, FigureError>,
@@ -123,7 +126,9 @@ pub(crate) fn of_trust_against_offset(
     drawn.filter_map(Result::transpose).collect()
 }
 
+/// A name of a map: its numbers are short, and no two of them are written alike.
 fn map_name(name: &str, method: &str, Pair { beta, g, dz }: Pair) -> String {
+    let beta = written(beta);
     let (gravity, offset) = (suffix("g", g), suffix("dz", dz));
     format!("{name}-{method}-beta{beta}{gravity}{offset}.svg")
 }
@@ -132,6 +137,56 @@ fn suffix(name: &str, value: f64) -> String {
     if value == 0.0 {
         String::new()
     } else {
-        format!("-{name}{value}")
+        format!("-{name}{}", written(value))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_maps_are_short_and_differ_where_their_numbers_do() {
+        // The least and the largest numbers, those with most digits, and neighbours.
+        let values = [
+            0.0,
+            5.0,
+            0.1,
+            0.1_f64.next_up(),
+            1e-300,
+            1e-300_f64.next_up(),
+            -2.225_073_858_507_201_4e-308,
+            f64::from_bits(1),
+            999_999.999_999_999_9,
+            1e6,
+            f64::MAX,
+            f64::MIN,
+        ];
+        let mut names = Vec::new();
+        for beta in values {
+            for g in values {
+                let pair = Pair { beta, g, dz: beta };
+                let name = map_name("scatter", "lt-corrected", pair);
+                // Three numbers of 24 characters at most, and the words.
+                assert!(name.len() <= 106, "{name}");
+                assert!(!names.contains(&name), "{name}");
+                names.push(name);
+            }
+        }
+        let tiny = Pair {
+            beta: 1e-300,
+            g: 0.0,
+            dz: 0.0,
+        };
+        assert_eq!(map_name("trust", "lt", tiny), "trust-lt-beta1e-300.svg");
+        let usual = Pair {
+            beta: -2.5,
+            g: 30.0,
+            dz: 0.0,
+        };
+        assert_eq!(
+            map_name("scatter", "lt", usual),
+            "scatter-lt-beta-2.5-g30.svg"
+        );
     }
 }

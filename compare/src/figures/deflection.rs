@@ -1,17 +1,19 @@
 //! Deflection against the offset of the paths (the paper's Fig. 6c): a curve for each method, and
 //! for each beta if there are several; a panel for each squirmer where the two differ.
 
-use std::ops::Range;
-
 use super::canvas::{
     ABOVE, Axes, BELOW, Entry, Key, LEFT, Panel, RIGHT, Stroke, TITLE, legend_height, picture,
 };
+use super::range::padded;
 use super::style::{Dash, INK, Shape, colour};
 use super::{FigureError, approach_title, distinct, methods, number, same};
 use crate::{Encounter, EncounterRow};
 
 /// Angle in degrees up to which two deflections are drawn as one.
 const SAME_DEFLECTION: f64 = 0.05;
+
+/// Angles in degrees up to which all deflections are drawn as none.
+pub(super) const NOISE: f64 = 1e-5;
 
 struct Dot {
     dx: f64,
@@ -26,8 +28,8 @@ struct Curve {
     dots: Vec<Dot>,
 }
 
-/// Draws the deflections, in degrees, against `dx`. Pairs that did not part are hollow, off the
-/// curves, and at the frame where they lie beyond it.
+/// Draws the deflections, in degrees, against `dx`. Pairs that did not part are hollow and off the curves; the axis is
+/// that of the pairs which did, if there are any, and what lies beyond it is not drawn.
 ///
 /// # Errors
 /// [`FigureError`] if there is no run, or more than one approach.
@@ -46,9 +48,10 @@ pub fn deflection(encounters: &[Encounter]) -> Result<String, FigureError> {
     let dots = || curves.iter().flat_map(|c| &c.dots);
     let alike = |d: &Dot| (d.degrees[0] - d.degrees[1]).abs() < SAME_DEFLECTION || !d.scattered;
     let squirmers: &[usize] = if dots().all(alike) { &[0] } else { &[0, 1] };
-    let shown = dots().filter(|d| d.scattered).flat_map(|d| d.degrees);
-    let y = padded(shown.chain([0.0]), 0.08);
-    let x = padded(dots().map(|d| d.dx), 0.06);
+    let none_scattered = !dots().any(|d| d.scattered);
+    let shown = dots().filter(|d| d.scattered || none_scattered);
+    let y = padded(shown.flat_map(|d| d.degrees).chain([0.0]), 0.08, NOISE);
+    let x = padded(dots().map(|d| d.dx), 0.06, 0.0);
 
     let plot = if squirmers.len() == 1 {
         (560.0, 340.0)
@@ -86,11 +89,10 @@ pub fn deflection(encounters: &[Encounter]) -> Result<String, FigureError> {
                 ticks: (8, 8),
             };
             let corner = (cell * column as f64 + LEFT, TITLE + ABOVE);
-            let panel = canvas.panel(corner, plot, axes)?;
-            draw_zero(&panel, &x)?;
-            for curve in &curves {
-                draw(&panel, curve, k)?;
-            }
+            canvas.panel(corner, plot, axes, |panel| {
+                panel.zero_line()?;
+                curves.iter().try_for_each(|curve| draw(panel, curve, k))
+            })?;
         }
         canvas.legend(&legend, legend_top, width)
     })
@@ -148,30 +150,6 @@ fn dot(encounter: &Encounter) -> Option<Dot> {
         degrees,
         scattered: encounter.scattered(),
     })
-}
-
-/// The range of values with a margin of `share` of it, and some extent in any case.
-pub(super) fn padded(values: impl IntoIterator<Item = f64>, share: f64) -> Range<f64> {
-    let (low, high) = (values.into_iter()).fold((f64::INFINITY, f64::NEG_INFINITY), |r, v| {
-        (r.0.min(v), r.1.max(v))
-    });
-    if low > high {
-        return 0.0..1.0;
-    }
-    // Ticks are written with six decimals: about a constant they need room to differ.
-    let least = if high - low < 1e-5 { 0.5 } else { 1e-6 };
-    let margin = (share * (high - low)).max(1e-3 * high.abs()).max(least);
-    low - margin..high + margin
-}
-
-/// The line of no deflection.
-pub(super) fn draw_zero(panel: &Panel<'_, '_>, x: &Range<f64>) -> Result<(), FigureError> {
-    let stroke = Stroke {
-        colour: INK,
-        width: 0.75,
-        dash: Dash::Solid,
-    };
-    panel.line(&[(x.start, 0.0), (x.end, 0.0)], stroke)
 }
 
 fn draw(panel: &Panel<'_, '_>, curve: &Curve, k: usize) -> Result<(), FigureError> {

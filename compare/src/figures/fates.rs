@@ -4,7 +4,7 @@
 use super::canvas::{
     ABOVE, Axes, BELOW, Entry, Key, LEFT, RIGHT, Stroke, TITLE, legend_height, picture,
 };
-use super::deflection::padded;
+use super::range::{extremes, padded};
 use super::style::{Dash, Shape, colour};
 use super::{FigureError, distinct, methods, number, same};
 use crate::maps::{FateRow, Share};
@@ -24,7 +24,11 @@ pub fn fates(rows: &[FateRow]) -> Result<String, FigureError> {
     let abscissa: fn(&FateRow) -> f64 = if gravity { |r| r.g } else { |r| r.beta };
     let shown = shown(rows);
     let methods = methods(rows.iter().filter_map(FateRow::method));
-    let x = padded(rows.iter().map(abscissa), 0.04);
+    let x = padded(rows.iter().map(abscissa), 0.04, 0.0);
+    let orbits = extremes(rows.iter().map(|row| 100.0 * FateRow::orbits(row)));
+    // Orbits are rare as a rule.
+    let few = gravity && orbits.is_none_or(|(_, most)| most <= 50.0);
+    let y = -2.0..if few { 50.0 } else { 102.0 };
     let plot = (400.0, 320.0);
     let cell = LEFT + plot.0 + RIGHT;
     let width = cell * methods.len().max(1) as f64;
@@ -46,7 +50,7 @@ pub fn fates(rows: &[FateRow]) -> Result<String, FigureError> {
             let axes = Axes {
                 title: method.title().to_owned(),
                 x: x.clone(),
-                y: -2.0..if gravity { 50.0 } else { 102.0 },
+                y: y.clone(),
                 x_title: if gravity {
                     "bottom-heaviness, G"
                 } else {
@@ -56,18 +60,20 @@ pub fn fates(rows: &[FateRow]) -> Result<String, FigureError> {
                 ticks: (9, 6),
             };
             let corner = (cell * column as f64 + LEFT, TITLE + ABOVE);
-            let panel = canvas.panel(corner, plot, axes)?;
-            for (i, (_, rows, share)) in lines(&mine, gravity, &shown).into_iter().enumerate() {
-                let mut points: Vec<_> = rows
-                    .iter()
-                    .map(|row| (abscissa(row), 100.0 * share(row)))
-                    .collect();
-                points.sort_by(|a, b| a.0.total_cmp(&b.0));
-                panel.line(&points, stroke(i))?;
-                for at in points {
-                    panel.marker(at, colour(i), Shape::of(i), true)?;
+            canvas.panel(corner, plot, axes, |panel| {
+                for (i, (_, rows, share)) in lines(&mine, gravity, &shown).into_iter().enumerate() {
+                    let mut points: Vec<_> = rows
+                        .iter()
+                        .map(|row| (abscissa(row), 100.0 * share(row)))
+                        .collect();
+                    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+                    panel.line(&points, stroke(i))?;
+                    for at in points {
+                        panel.marker(at, colour(i), Shape::of(i), true)?;
+                    }
                 }
-            }
+                Ok(())
+            })?;
         }
         canvas.legend(&legend, legend_top, width)
     })

@@ -80,10 +80,10 @@ impl Bar {
     ) -> Result<(), FigureError> {
         const WIDTH: f64 = 14.0;
         let step = height / STEPS as f64;
+        // From below, each up to the top: no seam shows between two.
         for i in 0..STEPS {
             let colour = (self.colour)((i as f64 + 0.5) / STEPS as f64);
-            let top = corner.1 + height - step * (i + 1) as f64;
-            canvas.rectangle((corner.0, top), (WIDTH, step + 0.25), colour)?;
+            canvas.rectangle(corner, (WIDTH, height - step * i as f64), colour)?;
         }
         for share in [0.0, 0.5, 1.0] {
             let value = self.range.start + share * (self.range.end - self.range.start);

@@ -1,10 +1,11 @@
 //! Error of each load against the exact one, as a function of the gap: a panel for each load.
 
 use super::canvas::{
-    ABOVE, Axes, BELOW, Entry, Key, LEFT, RIGHT, Stroke, TITLE, legend_height, picture,
+    ABOVE, Axes, BELOW, Entry, Key, LEFT, RIGHT, Scale, Stroke, TITLE, legend_height, picture,
 };
+use super::range::{decades, extremes};
 use super::style::{Dash, colour};
-use super::{FigureError, methods, power_of_ten};
+use super::{FigureError, methods};
 use crate::{LoadErrorRow, Method};
 
 /// Panels in a row: the loads of one mode.
@@ -28,8 +29,12 @@ pub fn load_errors(rows: &[LoadErrorRow]) -> Result<String, FigureError> {
         return Err(FigureError::Empty { what: "no loads" });
     }
     let methods = methods(rows.iter().filter_map(method_of));
-    let gaps = rows.iter().map(|row| row.gap.log10());
-    let x = gaps.clone().fold(f64::INFINITY, f64::min)..gaps.fold(f64::NEG_INFINITY, f64::max);
+    let gaps = || rows.iter().map(|row| row.gap.log10());
+    let x = match extremes(gaps()) {
+        // Two whole powers of ten at least, so that the axis has a scale.
+        Some((low, high)) if high.floor() - low.ceil() >= 1.0 => low..high,
+        _ => decades(gaps()),
+    };
 
     let plot = (170.0, 150.0);
     let cell = (LEFT + plot.0 + RIGHT, ABOVE + plot.1 + BELOW);
@@ -55,17 +60,34 @@ pub fn load_errors(rows: &[LoadErrorRow]) -> Result<String, FigureError> {
                 cell.0 * column as f64 + LEFT,
                 TITLE + cell.1 * line as f64 + ABOVE,
             );
-            let panel = canvas.labelled_panel(corner, plot, axes, (power_of_ten, power_of_ten))?;
-            for &method in &methods {
-                let points: Vec<_> = (rows.iter())
-                    .filter(|row| method_of(row) == Some(method) && row.name == name)
-                    .map(|row| (row.gap.log10(), row.error.log10().max(POWERS.0)))
-                    .collect();
-                panel.line(&points, stroke(method))?;
-            }
+            canvas.scaled_panel(
+                corner,
+                plot,
+                axes,
+                (Scale::Powers, Scale::Powers),
+                |panel| {
+                    for &method in &methods {
+                        let mine = (rows.iter())
+                            .filter(|row| method_of(row) == Some(method) && row.name == name);
+                        let points: Vec<_> = mine.map(place).collect();
+                        panel.path(&points, stroke(method))?;
+                    }
+                    Ok(())
+                },
+            )?;
         }
         canvas.legend(&legend, legend_top, width)
     })
+}
+
+/// Where an error lies, as logarithms; no number where it is not known.
+fn place(row: &LoadErrorRow) -> (f64, f64) {
+    let error = if row.error.is_nan() {
+        f64::NAN
+    } else {
+        row.error.log10().max(POWERS.0)
+    };
+    (row.gap.log10(), error)
 }
 
 /// Line and column of each load: a mode's six loads fill a line of their own.

@@ -1,15 +1,22 @@
 //! Pictures as SVG: one file a figure, all on the same `canvas` and in the same `style`.
 //!
 //! A new figure is a function from rows to SVG text beside these, and a section of the page.
+//!
+//! A panel in which nothing was drawn says "no data" by itself. A picture of nothing at all, without runs, kept paths or
+//! measurements, is [`FigureError::Empty`].
 
 mod canvas;
 mod deflection;
+#[cfg(test)]
+mod empty_tests;
 mod fates;
 mod heat;
 mod load_errors;
 mod map;
+mod number;
 mod offset;
 mod panels;
+mod range;
 mod scene_run;
 mod style;
 #[cfg(test)]
@@ -23,6 +30,8 @@ use std::fmt::Display;
 use thiserror::Error;
 
 use crate::{Approach, Method};
+
+use number::number;
 
 pub use deflection::deflection;
 pub use fates::fates;
@@ -89,33 +98,10 @@ fn methods(all: impl IntoIterator<Item = Method>) -> Vec<Method> {
     methods
 }
 
-/// A number without trailing zeros and with a true minus sign.
-fn number(value: f64) -> String {
-    let rounded = (value * 1e6).round() / 1e6 + 0.0;
-    rounded.to_string().replace('-', "\u{2212}")
-}
-
 /// `Head-on approach`, `Orthogonal approach`.
 fn approach_title(approach: Approach) -> &'static str {
     match approach {
         Approach::HeadOn => "Head-on approach",
         Approach::Orthogonal => "Orthogonal approach",
     }
-}
-
-/// `10⁻³` for -3; nothing between whole powers.
-fn power_of_ten(exponent: f64) -> String {
-    if (exponent - exponent.round()).abs() > 1e-6 {
-        return String::new();
-    }
-    let plain = number(exponent.round());
-    let raised = plain.chars().map(|c| match c {
-        '\u{2212}' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        '0' | '4'..='9' => char::from_u32('⁰' as u32 + c as u32 - '0' as u32).unwrap_or(c),
-        other => other,
-    });
-    "10".chars().chain(raised).collect()
 }

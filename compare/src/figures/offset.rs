@@ -4,7 +4,8 @@
 use super::canvas::{
     ABOVE, Axes, BELOW, Entry, Key, LEFT, RIGHT, Stroke, TITLE, legend_height, picture,
 };
-use super::deflection::padded;
+use super::deflection::NOISE;
+use super::range::padded;
 use super::style::{Dash, INK, Shape, colour};
 use super::{FigureError, methods, number, same};
 use crate::{Approach, Method, OffsetRow};
@@ -53,10 +54,9 @@ pub fn offset(rows: &[OffsetRow]) -> Result<String, FigureError> {
             });
         }
     }
-    let finite = |v: &f64| v.is_finite();
-    let changes = (rows.iter().flat_map(|r| [r.change1_deg, r.change2_deg])).filter(finite);
-    let y = padded(changes.chain([0.0]), 0.06);
-    let x = padded(rows.iter().map(|r| r.dz), 0.04);
+    let changes = rows.iter().flat_map(|r| [r.change1_deg, r.change2_deg]);
+    let y = padded(changes.chain([0.0]), 0.06, NOISE);
+    let x = padded(rows.iter().map(|r| r.dz), 0.04, 0.0);
     let differ = (rows.iter()).any(|r| (r.change1_deg - r.change2_deg).abs() > SAME_CHANGE);
 
     let plot = (400.0, 340.0);
@@ -101,29 +101,31 @@ pub fn offset(rows: &[OffsetRow]) -> Result<String, FigureError> {
                 ticks: (7, 8),
             };
             let corner = (cell * column as f64 + LEFT, TITLE + ABOVE);
-            let panel = canvas.panel(corner, plot, axes)?;
-            for (i, line) in lines.iter().enumerate() {
-                let mut mine: Vec<&OffsetRow> = (rows.iter())
-                    .filter(|r| method_of(r) == Some(method) && line.holds(r))
-                    .collect();
-                mine.sort_by(|a, b| a.dz.total_cmp(&b.dz));
-                let first: Vec<_> = mine.iter().map(|r| (r.dz, r.change1_deg)).collect();
-                let second: Vec<_> = mine.iter().map(|r| (r.dz, r.change2_deg)).collect();
-                let apart =
-                    (mine.iter()).any(|r| (r.change1_deg - r.change2_deg).abs() > SAME_CHANGE);
-                let both = [(first, Dash::Solid), (second, Dash::Dashed)];
-                for (points, dash) in both.iter().take(if apart { 2 } else { 1 }) {
-                    for run in points.chunk_by(|a, b| a.1.is_finite() && b.1.is_finite()) {
-                        if run.len() > 1 {
-                            panel.line(run, stroke(i, *dash))?;
+            canvas.panel(corner, plot, axes, |panel| {
+                for (i, line) in lines.iter().enumerate() {
+                    let mut mine: Vec<&OffsetRow> = (rows.iter())
+                        .filter(|r| method_of(r) == Some(method) && line.holds(r))
+                        .collect();
+                    mine.sort_by(|a, b| a.dz.total_cmp(&b.dz));
+                    let first: Vec<_> = mine.iter().map(|r| (r.dz, r.change1_deg)).collect();
+                    let second: Vec<_> = mine.iter().map(|r| (r.dz, r.change2_deg)).collect();
+                    let apart =
+                        (mine.iter()).any(|r| (r.change1_deg - r.change2_deg).abs() > SAME_CHANGE);
+                    let both = [(first, Dash::Solid), (second, Dash::Dashed)];
+                    for (points, dash) in both.iter().take(if apart { 2 } else { 1 }) {
+                        for run in points.chunk_by(|a, b| a.1.is_finite() && b.1.is_finite()) {
+                            if run.len() > 1 {
+                                panel.line(run, stroke(i, *dash))?;
+                            }
+                        }
+                        for &at in points.iter().filter(|p| p.1.is_finite()) {
+                            let filled = *dash == Dash::Solid;
+                            panel.marker(at, colour(i), line.shape(), filled)?;
                         }
                     }
-                    for &at in points.iter().filter(|p| p.1.is_finite()) {
-                        let filled = *dash == Dash::Solid;
-                        panel.marker(at, colour(i), line.shape(), filled)?;
-                    }
                 }
-            }
+                Ok(())
+            })?;
         }
         canvas.legend(&legend, legend_top, width)
     })

@@ -8,6 +8,7 @@ use plotters::style::RGBColor;
 use super::canvas::{
     ABOVE, Axes, BELOW, Entry, Key, LEFT, Panel, RIGHT, Stroke, TITLE, legend_height, picture,
 };
+use super::range::{extremes, sound, widened};
 use super::style::{Dash, colour};
 use super::{FigureError, methods, number};
 use crate::bottom_heavy::PanelRun;
@@ -50,17 +51,17 @@ fn path(run: &PanelRun, k: usize) -> Vec<(f64, Pose)> {
 /// by one method part by another.
 ///
 /// # Errors
-/// [`FigureError`] if there is no run with samples.
+/// [`FigureError`] if there is no run.
 pub fn panels(runs: &[PanelRun], title: &str) -> Result<String, FigureError> {
     let methods = methods(runs.iter().map(|run| run.method));
     let mut panels: Vec<&PanelRun> = Vec::new();
     for run in runs {
-        if run.run.is_ok() && panels.iter().all(|other| other.case != run.case) {
+        if panels.iter().all(|other| other.case != run.case) {
             panels.push(run);
         }
     }
     if panels.is_empty() {
-        let what = "no run with samples";
+        let what = "no run";
         return Err(FigureError::Empty { what });
     }
     let cell = (LEFT + PLOT.0 + RIGHT, ABOVE + PLOT.1 + BELOW);
@@ -74,9 +75,12 @@ pub fn panels(runs: &[PanelRun], title: &str) -> Result<String, FigureError> {
             canvas.upright_label(method.title(), (NAMES / 2.0, top + PLOT.1 / 2.0))?;
             for (column, first) in panels.iter().enumerate() {
                 let case = &first.case;
-                let mine = (runs.iter())
-                    .find(|run| run.case == *case && run.method == method && run.run.is_ok());
-                let (x, y) = window(mine.unwrap_or(first));
+                let of_case = || {
+                    runs.iter()
+                        .filter(|run| run.case == *case && run.run.is_ok())
+                };
+                let mine = of_case().find(|run| run.method == method);
+                let (x, y) = window(mine.or_else(|| of_case().next()));
                 let mut title = format!("({}) β = {}", case.panel, number(case.beta));
                 if case.g != 0.0 {
                     title += &format!(", G = {}", number(case.g));
@@ -90,10 +94,10 @@ pub fn panels(runs: &[PanelRun], title: &str) -> Result<String, FigureError> {
                     ticks: (4, 9),
                 };
                 let corner = (NAMES + cell.0 * column as f64 + LEFT, top);
-                let panel = canvas.panel(corner, PLOT, axes)?;
-                if let Some(run) = mine {
-                    draw(&panel, run)?;
-                }
+                canvas.panel(corner, PLOT, axes, |panel| match mine {
+                    Some(run) => draw(panel, run),
+                    None => Ok(()),
+                })?;
             }
         }
         canvas.legend(&legend, legend_top, width)
@@ -149,19 +153,16 @@ fn draw(panel: &Panel<'_, '_>, run: &PanelRun) -> Result<(), FigureError> {
     Ok(())
 }
 
-/// What the trajectories need, widened to the shape of the plot.
-fn window(run: &PanelRun) -> (Range<f64>, Range<f64>) {
-    let mut bounds = [(f64::INFINITY, f64::NEG_INFINITY); 2];
-    for (_, (at, _)) in [0, 1].iter().flat_map(|&k| path(run, k)) {
-        for (bound, v) in bounds.iter_mut().zip([at.0, at.1]) {
-            *bound = (bound.0.min(v - ROOM), bound.1.max(v + ROOM));
-        }
-    }
-    let scale = (bounds[0].1 - bounds[0].0) / PLOT.0;
-    let scale = scale.max((bounds[1].1 - bounds[1].0) / PLOT.1);
-    let [x, y] = [(bounds[0], PLOT.0), (bounds[1], PLOT.1)].map(|((low, high), size)| {
-        let (middle, half) = (0.5 * (low + high), 0.5 * scale * size);
-        middle - half..middle + half
-    });
-    (x, y)
+/// What the trajectories need, widened to the shape of the plot; about the origin without any.
+fn window(run: Option<&PanelRun>) -> (Range<f64>, Range<f64>) {
+    let poses = run.iter().flat_map(|run| [0, 1].map(|k| path(run, k)));
+    let centres: Vec<(f64, f64)> = poses.flatten().map(|(_, (at, _))| at).collect();
+    let about = |values: &mut dyn Iterator<Item = f64>| {
+        let (low, high) = extremes(values).unwrap_or((0.0, 0.0));
+        sound(&(low - ROOM..high + ROOM))
+    };
+    let x = about(&mut centres.iter().map(|at| at.0));
+    let y = about(&mut centres.iter().map(|at| at.1));
+    let scale = ((x.end - x.start) / PLOT.0).max((y.end - y.start) / PLOT.1);
+    (widened(&x, scale * PLOT.0), widened(&y, scale * PLOT.1))
 }

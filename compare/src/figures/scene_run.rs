@@ -6,10 +6,11 @@ use std::ops::Range;
 use scene::Scene;
 
 use super::canvas::{
-    ABOVE, Axes, BELOW, Key, LEFT, Panel, RIGHT, Stroke, TITLE, legend_height, picture,
+    ABOVE, Axes, BELOW, Key, LEFT, Panel, RIGHT, Scale, Stroke, TITLE, legend_height, picture,
 };
+use super::range::{decades, extremes, sound, widened};
 use super::style::{Dash, colour};
-use super::{FigureError, number, power_of_ten};
+use super::{FigureError, number};
 use crate::scene_run::SampleRow;
 
 /// Width of a panel, and height of those against time.
@@ -68,13 +69,12 @@ pub fn scene_run(scene: &Scene, rows: &[SampleRow], spatial: bool) -> Result<Str
             let size = sizes[column];
             let middle = width * (column as f64 + 0.5) / views.len() as f64;
             let left = middle + 0.5 * (LEFT - RIGHT - size.0);
-            let panel = canvas.panel((left, TITLE + ABOVE), size, axes)?;
-            draw_paths(&panel, view, &shown, [first, last])?;
+            canvas.panel((left, TITLE + ABOVE), size, axes, |panel| {
+                draw_paths(panel, view, &shown, [first, last])
+            })?;
         }
-        let time = 0.0..last.t.max(f64::MIN_POSITIVE);
-        let gaps: Vec<_> = (shown.iter())
-            .map(|row| (row.t, row.gap.max(LEAST_GAP).log10()))
-            .collect();
+        let time = 0.0..if last.t > 0.0 { last.t } else { 1.0 };
+        let gaps: Vec<_> = shown.iter().map(|row| (row.t, decade(row.gap))).collect();
         let axes = Axes {
             title: "Gap".to_owned(),
             x: time.clone(),
@@ -83,8 +83,10 @@ pub fn scene_run(scene: &Scene, rows: &[SampleRow], spatial: bool) -> Result<Str
             y_title: "gap ε (radii a)",
             ticks: (7, 6),
         };
-        let panel = canvas.labelled_panel((LEFT, time_top), PLOT, axes, (number, power_of_ten))?;
-        panel.line(&gaps, stroke(2))?;
+        let scales = (Scale::Linear, Scale::Powers);
+        canvas.scaled_panel((LEFT, time_top), PLOT, axes, scales, |panel| {
+            panel.path(&gaps, stroke(2))
+        })?;
         let angle = |k: usize| -> Vec<_> {
             let of = |row: &SampleRow| [row.angle1_deg, row.angle2_deg][k];
             shown.iter().map(|row| (row.t, of(row))).collect()
@@ -101,10 +103,11 @@ pub fn scene_run(scene: &Scene, rows: &[SampleRow], spatial: bool) -> Result<Str
             y_title: "angle (degrees)",
             ticks: (7, 6),
         };
-        let panel = canvas.panel((cell + LEFT, time_top), PLOT, axes)?;
-        for k in [0, 1] {
-            panel.line(&angle(k), stroke(k))?;
-        }
+        canvas.panel((cell + LEFT, time_top), PLOT, axes, |panel| {
+            [0, 1]
+                .into_iter()
+                .try_for_each(|k| panel.path(&angle(k), stroke(k)))
+        })?;
         canvas.legend(&legend, legend_top, width)
     })
 }
@@ -165,26 +168,30 @@ fn label(scene: &Scene, k: usize) -> String {
     format!("squirmer {}: {modes}", k + 1)
 }
 
+/// Power of ten of a gap; no number for one that is none.
+fn decade(gap: f64) -> f64 {
+    if gap.is_nan() {
+        f64::NAN
+    } else {
+        gap.max(LEAST_GAP).log10()
+    }
+}
+
 /// What a view takes in, at the same scale along both axes.
 fn window(rows: &[SampleRow], view: &View) -> (Range<f64>, Range<f64>) {
-    let mut bounds = [(f64::INFINITY, f64::NEG_INFINITY); 2];
-    for row in rows {
-        for k in [0, 1] {
-            let (centre, _) = view.of(row, k);
-            for (bound, v) in bounds.iter_mut().zip([centre.0, centre.1]) {
-                *bound = (bound.0.min(v - ROOM), bound.1.max(v + ROOM));
-            }
-        }
-    }
-    let [(left, right), (low, high)] = bounds;
-    // Neither too narrow nor too flat when scaled to fit.
-    let scale = (PLOT.0 / (right - left)).min(TALLEST / (high - low));
-    let least = LEAST / scale;
-    let about = |low: f64, high: f64| {
-        let (middle, half) = (0.5 * (low + high), 0.5 * (high - low).max(least));
-        middle - half..middle + half
+    let centres = || {
+        rows.iter()
+            .flat_map(|row| [0, 1].map(|k| view.of(row, k).0))
     };
-    (about(left, right), about(low, high))
+    let about = |range: Option<(f64, f64)>| {
+        let (low, high) = range.unwrap_or((0.0, 0.0));
+        sound(&(low - ROOM..high + ROOM))
+    };
+    let x = about(extremes(centres().map(|at| at.0)));
+    let y = about(extremes(centres().map(|at| at.1)));
+    // Neither too narrow nor too flat when scaled to fit.
+    let scale = (PLOT.0 / (x.end - x.start)).min(TALLEST / (y.end - y.start));
+    (widened(&x, LEAST / scale), widened(&y, LEAST / scale))
 }
 
 /// Size of a panel for a window.
@@ -211,24 +218,11 @@ fn draw_paths(
     Ok(())
 }
 
-/// Whole powers of ten about the values, at least one decade.
-fn decades(logs: impl Iterator<Item = f64>) -> Range<f64> {
-    let (low, high) = extremes(logs);
-    let (low, high) = ((low - 0.1).floor(), (high + 0.1).ceil());
-    low..high.max(low + 1.0)
-}
-
 /// About the values, with room above and below.
 fn padded(values: impl Iterator<Item = f64>) -> Range<f64> {
     /// Least extent, in degrees.
     const LEAST_DEGREES: f64 = 10.0;
-    let (low, high) = extremes(values);
+    let (low, high) = extremes(values).unwrap_or((0.0, 0.0));
     let room = (0.08 * (high - low)).max(0.5 * (LEAST_DEGREES - (high - low)));
     low - room..high + room
-}
-
-fn extremes(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-        (low.min(v), high.max(v))
-    })
 }

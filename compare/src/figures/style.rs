@@ -1,6 +1,6 @@
 //! Colours, line styles and markers that tell series apart, with and without colour vision.
 
-use plotters::style::RGBColor;
+use plotters::style::{RGBColor, WHITE};
 
 /// Text, frames and axes.
 pub(super) const INK: RGBColor = RGBColor(34, 34, 34);
@@ -22,6 +22,78 @@ const COLOURS: [RGBColor; 7] = [
 /// The colour of the series number `index`.
 pub(super) fn colour(index: usize) -> RGBColor {
     COLOURS[index % COLOURS.len()]
+}
+
+/// Lines over a fill, which tell it from others without colour vision and in print.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Hatch {
+    Plain,
+    Rising,
+    Falling,
+    Crossed,
+}
+
+/// How an area is filled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Fill {
+    pub colour: RGBColor,
+    pub hatch: Hatch,
+}
+
+/// Lightness of a fill from which on its hatch is dark.
+const LIGHT: f64 = 50.0;
+
+impl Fill {
+    pub(super) const fn new((red, green, blue): (u8, u8, u8), hatch: Hatch) -> Self {
+        Self {
+            colour: RGBColor(red, green, blue),
+            hatch,
+        }
+    }
+
+    pub(super) const fn plain(colour: RGBColor) -> Self {
+        Self {
+            colour,
+            hatch: Hatch::Plain,
+        }
+    }
+
+    /// Colour of its hatch.
+    pub(super) fn line(self) -> RGBColor {
+        if lightness(self.colour) < LIGHT {
+            WHITE
+        } else {
+            INK
+        }
+    }
+
+    /// Whether its hatch has lines that rise, or fall, to the right.
+    pub(super) fn has_lines(self, rising: bool) -> bool {
+        match self.hatch {
+            Hatch::Plain => false,
+            Hatch::Rising => rising,
+            Hatch::Falling => !rising,
+            Hatch::Crossed => true,
+        }
+    }
+}
+
+/// Lightness of a colour from 0 to 100 (CIE L* of sRGB): what is left of it in grey print.
+pub(super) fn lightness(RGBColor(red, green, blue): RGBColor) -> f64 {
+    let linear = |level: u8| {
+        let v = f64::from(level) / 255.0;
+        if v <= 0.04045 {
+            v / 12.92
+        } else {
+            ((v + 0.055) / 1.055).powf(2.4)
+        }
+    };
+    let y = 0.2126 * linear(red) + 0.7152 * linear(green) + 0.0722 * linear(blue);
+    if y > 0.008_856 {
+        116.0 * y.cbrt() - 16.0
+    } else {
+        903.3 * y
+    }
 }
 
 /// How a line is broken.

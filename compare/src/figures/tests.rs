@@ -2,10 +2,10 @@
 
 use scene::RunOptions;
 
-use super::{FigureError, deflection, number, offset, trajectories};
+use super::{FigureError, deflection, offset, trajectories};
 use crate::{Approach, Case, Encounter, Method, OffsetRow};
 
-fn encounter(approach: Approach, beta: f64, dx: f64, method: Method) -> Encounter {
+pub(super) fn encounter(approach: Approach, beta: f64, dx: f64, method: Method) -> Encounter {
     let case = Case {
         approach,
         beta,
@@ -127,19 +127,6 @@ fn failed_runs_are_left_out() {
     all[0].run = Err(crate::NoRun::Failed("no table".to_owned()));
     assert!(trajectories(&all).is_ok());
     assert!(deflection(&all).is_ok());
-}
-
-#[test]
-fn numbers_are_short() {
-    assert_eq!(number(-0.0), "0");
-    assert_eq!(number(0.1 + 0.2), "0.3");
-    assert_eq!(number(-5.0), "−5");
-}
-
-#[test]
-fn values_that_are_all_zero_have_an_axis_with_distinct_ticks() {
-    let y = super::deflection::padded([0.0, 0.0], 0.06);
-    assert!(y.end - y.start >= 1e-3, "{y:?}");
 }
 
 #[test]

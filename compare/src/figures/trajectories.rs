@@ -8,6 +8,7 @@ use scene::{Configuration, Run};
 use super::canvas::{
     ABOVE, Axes, BELOW, Entry, Key, LEFT, Panel, RIGHT, Stroke, TITLE, legend_height, picture,
 };
+use super::range::{sound, widened};
 use super::style::{Dash, INK, colour};
 use super::{FigureError, approach_title, distinct, methods, number, same};
 use crate::{Encounter, Method};
@@ -20,6 +21,12 @@ const ROOM: f64 = 5.0;
 
 /// Largest gap at which the spheres are drawn, in radii: beyond it nothing happens.
 const DRAWN_GAP: f64 = 1.0;
+
+/// Least ratio of a window's sides: of paths far apart a strip would be left.
+const NARROWEST: f64 = 0.25;
+
+/// Window of a picture of which all runs have failed, in radii.
+const NOWHERE: (Range<f64>, Range<f64>) = (-6.0..6.0, -6.0..6.0);
 
 /// Distance between drawn points of a trajectory, in radii.
 const SPACING: f64 = 0.04;
@@ -122,7 +129,7 @@ fn flies_on(method: Method) -> bool {
 /// betas the columns (Fig. 7). All panels show the same window at the same scale along x and y.
 ///
 /// # Errors
-/// [`FigureError`] if there is no run with samples, or more than one approach.
+/// [`FigureError`] if there is no run, none that has not failed has samples, or there is more than one approach.
 pub fn trajectories(encounters: &[Encounter]) -> Result<String, FigureError> {
     const EMPTY: FigureError = FigureError::Empty {
         what: "no run with samples",
@@ -149,7 +156,8 @@ pub fn trajectories(encounters: &[Encounter]) -> Result<String, FigureError> {
         let dz = heights.iter().position(|v| same(*v, e.case.dz));
         dx.unwrap_or(0) * heights.len() + dz.unwrap_or(0)
     };
-    let (x, y) = window(&tracks).ok_or(EMPTY)?;
+    let failed = encounters.iter().all(|e| e.run.is_err());
+    let (x, y) = window(&tracks).or(failed.then_some(NOWHERE)).ok_or(EMPTY)?;
 
     let (columns, rows) = if betas.len() == 1 {
         (methods.len(), 1)
@@ -191,15 +199,17 @@ pub fn trajectories(encounters: &[Encounter]) -> Result<String, FigureError> {
                     y_title: "y (radii a)",
                     ticks: (7, 7),
                 };
-                let panel = canvas.panel(corner, plot, axes)?;
                 let shown = |e: &Encounter| e.method == method && same(e.case.beta, beta);
                 let tracks = tracks.iter().filter(|(e, _)| shown(e));
-                for (encounter, track) in tracks.clone() {
-                    draw_spheres(&panel, track, series(encounter))?;
-                }
-                for (encounter, track) in tracks {
-                    draw_lines(&panel, track, series(encounter))?;
-                }
+                canvas.panel(corner, plot, axes, |panel| {
+                    for (encounter, track) in tracks.clone() {
+                        draw_spheres(panel, track, series(encounter))?;
+                    }
+                    for (encounter, track) in tracks {
+                        draw_lines(panel, track, series(encounter))?;
+                    }
+                    Ok(())
+                })?;
             }
         }
         canvas.legend(&legend, legend_top, width)
@@ -267,7 +277,13 @@ fn window(tracks: &[(&Encounter, Track)]) -> Option<(Range<f64>, Range<f64>)> {
         }
     }
     let [x, y] = bounds.map(|(low, high)| low.floor()..high.ceil());
-    (x.start.is_finite() && y.start.is_finite()).then_some((x, y))
+    let ends = [x.start, x.end, y.start, y.end];
+    if !ends.into_iter().all(f64::is_finite) {
+        return None;
+    }
+    let [x, y] = [sound(&x), sound(&y)];
+    let least = NARROWEST * (x.end - x.start).max(y.end - y.start);
+    Some((widened(&x, least), widened(&y, least)))
 }
 
 fn draw_spheres(panel: &Panel<'_, '_>, track: &Track, series: usize) -> Result<(), FigureError> {
@@ -292,9 +308,7 @@ fn draw_lines(panel: &Panel<'_, '_>, track: &Track, series: usize) -> Result<(),
         };
         panel.line(&track.line(k), stroke)?;
         for tick in track.ticks(k) {
-            if panel.shows(tick, 0.0) {
-                panel.dot(tick, colour(series))?;
-            }
+            panel.dot(tick, colour(series))?;
         }
     }
     Ok(())

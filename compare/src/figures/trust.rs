@@ -1,25 +1,44 @@
 //! Where lubrication theory can be trusted, over the plane of initial directions.
 
-use plotters::style::RGBColor;
+use scene::Outcome;
 
-use super::canvas::{ABOVE, Axes, BELOW, Entry, Key, LEFT, RIGHT, TITLE, legend_height, picture};
-use super::map::draw;
+use super::canvas::{
+    ABOVE, Axes, BELOW, Entry, Key, LEFT, MapCell, RIGHT, TITLE, legend_height, picture, whole_side,
+};
+use super::map::{draw, outcome_fill};
+use super::style::{Fill, Hatch};
 use super::{FigureError, distinct, number, same};
 use crate::Method;
 use crate::maps::{TRUST_CLASSES, TrustRow, TrustShares};
 
-/// Side of the map, in nominal pixels.
+/// About the side of the map, in nominal pixels.
 const SIDE: f64 = 420.0;
 
-/// Colours of the classes: darker is worse, and another outcome is orange.
-const COLOURS: [RGBColor; 6] = [
-    RGBColor(239, 243, 255),
-    RGBColor(158, 202, 225),
-    RGBColor(66, 146, 198),
-    RGBColor(8, 69, 148),
-    RGBColor(190, 190, 190),
-    RGBColor(213, 94, 0),
+/// Fills of the classes: darker is worse, and what has no difference of deflections is hatched.
+const FILLS: [Fill; 6] = [
+    Fill::new((239, 243, 255), Hatch::Plain),
+    Fill::new((158, 202, 225), Hatch::Plain),
+    Fill::new((66, 146, 198), Hatch::Plain),
+    Fill::new((8, 69, 148), Hatch::Plain),
+    Fill::new((190, 190, 190), Hatch::Rising),
+    Fill::new((213, 94, 0), Hatch::Falling),
 ];
+
+/// What a point shows: a class, or that there is nothing to compare.
+fn entry(row: &TrustRow) -> (Fill, &'static str) {
+    let is = |outcome: Option<Outcome>| {
+        let name = outcome.map_or("failed".to_owned(), |o| o.to_string());
+        [row.outcome_lt == name, row.outcome_exact == name]
+    };
+    if is(None).contains(&true) {
+        (outcome_fill(None), "failed")
+    } else if is(Some(Outcome::Undecided)) == [true, true] {
+        let fill = outcome_fill(Some(Outcome::Undecided));
+        (fill, "both undecided")
+    } else {
+        (FILLS[row.class()], TRUST_CLASSES[row.class()])
+    }
+}
 
 /// Draws one map: the rows of a grid, each `Sigma` a line of `Delta`.
 ///
@@ -35,20 +54,33 @@ pub fn trust(rows: &[TrustRow]) -> Result<String, FigureError> {
     if first.dz != 0.0 {
         title += &format!(", δz = {}", number(first.dz));
     }
-    let legend = legend();
-    let width = LEFT + SIDE + 5.0 * RIGHT;
-    let legend_top = TITLE + ABOVE + SIDE + BELOW + 8.0;
+    let side = whole_side(SIDE, rows.len().isqrt());
+    let entries: Vec<(Fill, &str)> = rows.iter().map(entry).collect();
+    let mut occurring: Vec<(Fill, &str)> = FILLS.into_iter().zip(TRUST_CLASSES).collect();
+    for unknown in [outcome_fill(Some(Outcome::Undecided)), outcome_fill(None)] {
+        occurring.extend(entries.iter().find(|(fill, _)| *fill == unknown));
+    }
+    occurring.retain(|known| entries.contains(known));
+    let legend = legend(occurring);
+    let width = LEFT + side + 5.0 * RIGHT;
+    let legend_top = TITLE + ABOVE + side + BELOW + 8.0;
     let height = legend_top + legend_height(&legend, width);
     picture((width, height), &title, |canvas| {
-        let colours = rows.iter().map(|row| COLOURS[row.class()]);
         let title = "Difference of the deflections".to_owned();
-        draw(canvas, (LEFT, TITLE + ABOVE), title, (SIDE, SIDE), colours)?;
+        let cells = entries.iter().map(|(fill, _)| MapCell {
+            fill: *fill,
+            is_data: true,
+        });
+        draw(canvas, (LEFT, TITLE + ABOVE), title, (side, side), cells)?;
         canvas.legend(&legend, legend_top, width)
     })
 }
 
 /// Size of a panel of shares.
 const PLOT: (f64, f64) = (200.0, 240.0);
+
+/// Least width of a picture of shares: its title and legend need it.
+const LEAST_WIDTH: f64 = 560.0;
 
 /// Share of a bar's place that it fills.
 const FILLED: f64 = 0.8;
@@ -70,18 +102,21 @@ pub fn trust_against_offset(rows: &[TrustShares]) -> Result<String, FigureError>
     let x = first - 0.5 * step..last + 0.5 * step;
     let betas = distinct(rows.iter().map(|row| row.beta));
     let cell = LEFT + PLOT.0 + RIGHT;
-    let width = cell * betas.len() as f64;
-    let legend = legend();
+    let width = (cell * betas.len() as f64).max(LEAST_WIDTH);
+    let margin = 0.5 * (width - cell * betas.len() as f64);
+    let occurs = |class: usize| rows.iter().any(|row| row.in_order()[class] > 0.0);
+    let classes = FILLS.into_iter().zip(TRUST_CLASSES).enumerate();
+    let occurring = classes.filter(|(class, _)| occurs(*class));
+    let legend = legend(occurring.map(|(_, entry)| entry));
     let legend_top = TITLE + ABOVE + PLOT.1 + BELOW + 8.0;
     let height = legend_top + legend_height(&legend, width);
     let title = format!(
         "Trust in {} against the offset out of the plane",
         title_of(&rows[0].method).to_lowercase()
     );
-    let across = |dz: f64| PLOT.0 * (dz - x.start) / (x.end - x.start);
     picture((width, height), &title, |canvas| {
         for (column, &beta) in betas.iter().enumerate() {
-            let corner = (cell * column as f64 + LEFT, TITLE + ABOVE);
+            let corner = (margin + cell * column as f64 + LEFT, TITLE + ABOVE);
             let axes = Axes {
                 title: format!("β = {}", number(beta)),
                 x: x.clone(),
@@ -90,19 +125,17 @@ pub fn trust_against_offset(rows: &[TrustShares]) -> Result<String, FigureError>
                 y_title: "share of incoming angles (%)",
                 ticks: (offsets.len().min(6), 6),
             };
-            canvas.panel(corner, PLOT, axes)?;
-            for row in rows.iter().filter(|row| same(row.beta, beta)) {
-                let (left, wide) = (
-                    across(row.dz - 0.5 * FILLED * step),
-                    across(x.start + FILLED * step),
-                );
-                let mut base = corner.1 + PLOT.1;
-                for (share, colour) in row.in_order().into_iter().zip(COLOURS) {
-                    let tall = PLOT.1 * share;
-                    base -= tall;
-                    canvas.rectangle((corner.0 + left, base), (wide, tall), colour)?;
+            canvas.panel(corner, PLOT, axes, |panel| {
+                for row in rows.iter().filter(|row| same(row.beta, beta)) {
+                    let mut base = 0.0;
+                    for (share, fill) in row.in_order().into_iter().zip(FILLS) {
+                        let top = base + 100.0 * share;
+                        panel.bar((row.dz, FILLED * step), (base, top), fill)?;
+                        base = top;
+                    }
                 }
-            }
+                Ok(())
+            })?;
         }
         canvas.legend(&legend, legend_top, width)
     })
@@ -113,11 +146,58 @@ fn title_of(method: &str) -> String {
     known.map_or(method.to_owned(), |m| m.title().to_owned())
 }
 
-/// The classes and their colours.
-fn legend() -> Vec<Vec<Entry>> {
-    vec![
-        (COLOURS.into_iter().zip(TRUST_CLASSES))
-            .map(|(colour, class)| (Key::Patch(colour), class.to_owned()))
-            .collect(),
-    ]
+fn legend(classes: impl IntoIterator<Item = (Fill, &'static str)>) -> Vec<Vec<Entry>> {
+    let entry = |(fill, class): (Fill, &str)| (Key::Patch(fill), class.to_owned());
+    vec![classes.into_iter().map(entry).collect()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figures::style::lightness;
+
+    #[test]
+    fn classes_are_told_apart_in_grey_print_by_lightness_or_hatch() {
+        let unknown = [None, Some(Outcome::Undecided)].map(outcome_fill);
+        let fills: Vec<Fill> = FILLS.into_iter().chain(unknown).collect();
+        for (i, a) in fills.iter().enumerate() {
+            for b in &fills[..i] {
+                let apart = (lightness(a.colour) - lightness(b.colour)).abs();
+                assert!(a.hatch != b.hatch || apart >= 10.0, "{a:?} {b:?}: {apart}");
+            }
+        }
+    }
+
+    fn row(outcomes: [&str; 2], difference: f64) -> TrustRow {
+        let [lt, exact] = outcomes.map(str::to_owned);
+        TrustRow {
+            beta: 5.0,
+            delta: 0.5,
+            sigma: 0.5,
+            outcome_lt: lt,
+            outcome_exact: exact,
+            difference1_deg: difference,
+            difference2_deg: difference,
+            method: "lt".to_owned(),
+            g: 0.0,
+            dz: 0.0,
+        }
+    }
+
+    #[test]
+    fn two_failures_are_no_agreement_and_the_legend_names_what_occurs() {
+        let rows = [
+            row(["scattered", "scattered"], 1.0),
+            row(["scattered", "pairwise"], 1.0),
+            row(["failed", "failed"], f64::NAN),
+            row(["undecided", "undecided"], f64::NAN),
+        ];
+        let svg = trust(&rows).unwrap();
+        for named in ["up to 5°", "another outcome", "failed", "both undecided"] {
+            assert!(svg.contains(named), "{named}");
+        }
+        for absent in ["bound alike", "5° to 15°"] {
+            assert!(!svg.contains(absent), "{absent}");
+        }
+    }
 }

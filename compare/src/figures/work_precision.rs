@@ -3,11 +3,11 @@
 use std::ops::Range;
 
 use super::canvas::{
-    ABOVE, Axes, BELOW, Canvas, Entry, Key, LEFT, Panel, RIGHT, Stroke, TITLE, legend_height,
-    picture,
+    ABOVE, Axes, BELOW, Entry, Key, LEFT, RIGHT, Scale, Stroke, TITLE, legend_height, picture,
 };
+use super::range::decades;
 use super::style::{Dash, Shape, colour};
-use super::{FigureError, approach_title, power_of_ten};
+use super::{FigureError, approach_title};
 use crate::Approach;
 use crate::cost::{CostRow, Part};
 
@@ -142,14 +142,6 @@ fn worst(places: impl Iterator<Item = Place>) -> Option<Place> {
     times.get(times.len() / 2).map(|time| (*time, error))
 }
 
-/// Whole powers of ten around the values.
-fn decades(values: impl Iterator<Item = f64>) -> Range<f64> {
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |r, v| {
-        (r.0.min(v), r.1.max(v))
-    });
-    (low - 0.1).floor()..(high + 0.1).ceil()
-}
-
 fn draw(plots: &[Plot], words: &Words) -> Result<String, FigureError> {
     let all = || plots.iter().flat_map(|p| &p.curves);
     let places = || all().flat_map(|c| c.line.iter().chain(&c.dots));
@@ -178,46 +170,42 @@ fn draw(plots: &[Plot], words: &Words) -> Result<String, FigureError> {
         for (i, plot) in plots.iter().enumerate() {
             let (column, row) = ((i % columns) as f64, (i / columns) as f64);
             let corner = (cell.0 * column + LEFT, TITLE + ABOVE + cell.1 * row);
-            let panel = panel(canvas, corner, plot, words, (&x, &y))?;
             let index = |curve: &Curve| models.iter().position(|m| *m == curve.model).unwrap_or(0);
-            for curve in &plot.curves {
-                panel.line(&curve.line, stroke(index(curve)))?;
-            }
-            for curve in &plot.curves {
-                // Open where others may lie behind: models without a knob, and worst cases over dots.
-                let filled = curve.dots.is_empty() && curve.line.len() > 1;
-                let index = index(curve);
-                for &at in &curve.line {
-                    panel.marker(at, colour(index), Shape::of(index), filled)?;
+            let scales = (Scale::Powers, Scale::Powers);
+            canvas.scaled_panel(corner, PLOT, axes(plot, words, (&x, &y)), scales, |panel| {
+                for curve in &plot.curves {
+                    panel.line(&curve.line, stroke(index(curve)))?;
                 }
-            }
-            for curve in plot.curves.iter().rev() {
-                for &at in &curve.dots {
-                    panel.dot(at, colour(index(curve)))?;
+                for curve in &plot.curves {
+                    // Open where others may lie behind: models without a knob, and worst cases over dots.
+                    let filled = curve.dots.is_empty() && curve.line.len() > 1;
+                    let index = index(curve);
+                    for &at in &curve.line {
+                        panel.marker(at, colour(index), Shape::of(index), filled)?;
+                    }
                 }
-            }
+                for curve in plot.curves.iter().rev() {
+                    for &at in &curve.dots {
+                        panel.dot(at, colour(index(curve)))?;
+                    }
+                }
+                Ok(())
+            })?;
         }
         canvas.legend(&legend, legend_top, width)
     })
 }
 
-fn panel<'c, 'a>(
-    canvas: &'c Canvas<'a>,
-    corner: (f64, f64),
-    plot: &Plot,
-    words: &Words,
-    (x, y): (&Range<f64>, &Range<f64>),
-) -> Result<Panel<'c, 'a>, FigureError> {
+fn axes(plot: &Plot, words: &Words, (x, y): (&Range<f64>, &Range<f64>)) -> Axes {
     let ticks = |range: &Range<f64>| (range.end - range.start).round() as usize + 1;
-    let axes = Axes {
+    Axes {
         title: plot.title.clone(),
         x: x.clone(),
         y: y.clone(),
         x_title: words.x_title,
         y_title: words.y_title,
         ticks: (ticks(x).min(12), ticks(y).min(12)),
-    };
-    canvas.labelled_panel(corner, PLOT, axes, (power_of_ten, power_of_ten))
+    }
 }
 
 fn stroke(index: usize) -> Stroke {
@@ -231,13 +219,6 @@ fn stroke(index: usize) -> Stroke {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn powers_of_ten_are_written_as_such() {
-        assert_eq!(power_of_ten(-13.0), "10⁻¹³");
-        assert_eq!(power_of_ten(0.0), "10⁰");
-        assert_eq!(power_of_ten(0.5), "");
-    }
 
     #[test]
     fn what_failed_is_not_drawn() {
