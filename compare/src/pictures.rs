@@ -2,7 +2,8 @@
 
 use crate::bottom_heavy::PanelRun;
 use crate::figures::{self, FigureError};
-use crate::maps::{FateRow, Pair, ScatterRow, TrustRow, TrustShares, trust_shares};
+use crate::kept_rows::Drawn;
+use crate::maps::{FateRow, Pair, ScatterRow, TrustRow, TrustShares};
 use crate::numbers::written;
 use crate::{Approach, CompareError, Encounter, OffsetRow};
 
@@ -12,19 +13,21 @@ pub(crate) struct Picture {
     pub(crate) svg: String,
 }
 
-/// Trajectories and deflections of one approach; none without runs.
+/// Trajectories and deflections of one approach, as far as so many runs are drawn; none without runs.
 pub(crate) fn of_encounters(
     approach: Approach,
     encounters: &[Encounter],
+    drawn: Drawn,
 ) -> Result<Vec<Picture>, CompareError> {
-    let drawn = [
-        ("trajectories", figures::trajectories(encounters)),
-        ("deflection", figures::deflection(encounters)),
-    ];
-    drawn
-        .into_iter()
-        .filter_map(|(name, svg)| picture(format!("{approach}-{name}.svg"), svg).transpose())
-        .collect()
+    let named = |name: &str, svg| picture(format!("{approach}-{name}.svg"), svg);
+    let mut pictures = Vec::new();
+    if drawn == Drawn::Paths {
+        pictures.extend(named("trajectories", figures::trajectories(encounters))?);
+    }
+    if drawn != Drawn::Nothing {
+        pictures.extend(named("deflection", figures::deflection(encounters))?);
+    }
+    Ok(pictures)
 }
 
 /// The offset sensitivity; none without runs.
@@ -85,8 +88,7 @@ pub(crate) fn of_fates(rows: &[FateRow]) -> Result<Vec<Picture>, CompareError> {
     Ok(drawn.into_iter().collect())
 }
 
-/// A picture for each method and pair, and one of the shares against the offset for each method and
-/// bottom-heaviness with several offsets.
+/// A picture for each method and pair.
 pub(crate) fn of_trust(rows: &[TrustRow]) -> Result<Vec<Picture>, CompareError> {
     let drawn = rows.chunk_by(crate::maps::same_map).map(|map| {
         let svg = figures::trust(map);
@@ -99,20 +101,15 @@ pub(crate) fn of_trust(rows: &[TrustRow]) -> Result<Vec<Picture>, CompareError> 
         } = map[0];
         picture(map_name("trust", method, Pair { beta, g, dz }), svg)
     });
-    let mut drawn: Vec<Picture> = drawn
-        .filter_map(Result::transpose)
-        .collect::<Result<_, _>>()?;
-    let mut shares = trust_shares(rows);
-    shares.sort_by(|a, b| a.method.cmp(&b.method).then(a.g.total_cmp(&b.g)));
-    drawn.extend(of_trust_against_offset(&shares)?);
-    Ok(drawn)
+    drawn.filter_map(Result::transpose).collect()
 }
 
-/// A picture of the shares against the offset for each run of rows of one method and bottom-heaviness with
-/// several offsets.
+/// A picture of the shares against the offset for each method and bottom-heaviness with several offsets.
 pub(crate) fn of_trust_against_offset(
     shares: &[TrustShares],
 ) -> Result<Vec<Picture>, CompareError> {
+    let mut shares = shares.to_vec();
+    shares.sort_by(|a, b| a.method.cmp(&b.method).then(a.g.total_cmp(&b.g)));
     let same =
         |a: &TrustShares, b: &TrustShares| a.method == b.method && a.g.total_cmp(&b.g).is_eq();
     let drawn = shares.chunk_by(same).map(|alike| {

@@ -6,10 +6,12 @@
 #![allow(clippy::float_cmp, reason = "exactly equal is what is claimed")]
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
+use std::f64::consts::FRAC_PI_2;
+
 use lt::{Form, Lubrication};
 use scene::{
-    Isolated, Orientation, Outcome, Plan, Pose, Repulsion, Run, RunOptions, Scene, Squirmer, run,
-    run_plan,
+    Gravity, Isolated, Orientation, Outcome, Plan, Pose, Repulsion, Run, RunOptions, Scene,
+    Squirmer, run, run_plan,
 };
 
 /// Distance of the centres at the cut.
@@ -177,4 +179,33 @@ fn a_pair_that_swims_in_parallel_beyond_the_cut_never_parts() {
 fn a_pair_that_is_still_on_its_way_at_the_end_has_not_parted() {
     let pair = pair([1.0, 1.0], 1.0, [0.0, 180.0]);
     assert_eq!(pair.run(1000.0).outcome, Outcome::Undecided);
+}
+
+/// A map of starts of strongly bottom-heavy pairs: many are righted just when they part, and then swim upward side by
+/// side, at the cut, with speeds apart that are all but nothing.
+#[test]
+fn every_start_of_a_strongly_bottom_heavy_pair_has_a_result() {
+    let model = Lubrication::new(Form::Published);
+    let options = RunOptions {
+        tolerance: 1e-7,
+        ..RunOptions::default()
+    };
+    // Among them are two that took a million advances of a free flight.
+    let points: Vec<f64> = (0..20).map(|i| 0.01 + 1.98 / 19.0 * f64::from(i)).collect();
+    for g in [20.0, 40.0] {
+        let squirmer = Squirmer::with_beta(1.0, -5.0).and_then(|s| s.bottom_heavy(g));
+        let squirmer = squirmer.unwrap();
+        for (delta, sigma) in (points.iter()).flat_map(|d| points.iter().map(move |s| (d, s))) {
+            let pose = |side: f64| Pose {
+                position: [1.5 * side, 0.0, 0.0].into(),
+                orientation: Orientation::Angle(FRAC_PI_2 * (sigma + side * delta)),
+            };
+            let start = [pose(-1.0), pose(1.0)];
+            let gravity = Some(Gravity::DOWN);
+            let scene = Scene::new([squirmer; 2], start, Some(Repulsion::PAPER), gravity).unwrap();
+            let run = run(&scene, &model, &options);
+            let run = run.unwrap_or_else(|error| panic!("G {g}, {delta}, {sigma}: {error}"));
+            assert_eq!(run.outcome, Outcome::Upward, "G {g}, {delta}, {sigma}");
+        }
+    }
 }

@@ -167,7 +167,7 @@ fn encounter(
     };
     let (mut first, drawn) = (Vec::new(), kept.drawn());
     let encounters = kept.encounters(drawn, &mut |row| keep_first(&mut first, row))?;
-    for picture in pictures::of_encounters(approach, &encounters)? {
+    for picture in pictures::of_encounters(approach, &encounters, drawn)? {
         out.write(&picture.file_name, &picture.svg)?;
     }
     if !out.account().stopped() {

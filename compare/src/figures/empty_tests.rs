@@ -164,6 +164,7 @@ fn shares_of_trust_that_are_no_numbers_leave_a_panel_that_says_so() {
         beyond_45_deg: 0.0,
         same_outcome: 0.0,
         other_outcome: 0.0,
+        failed: 0.0,
     };
     let of = |beta: f64, share: f64| [row(beta, 0.0, share), row(beta, 0.5, share)];
     let svg = trust_against_offset(&[of(1.0, 1.0), of(5.0, f64::NAN)].concat()).unwrap();

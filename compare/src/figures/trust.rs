@@ -15,24 +15,20 @@ use crate::maps::{TRUST_CLASSES, TrustRow, TrustShares};
 const SIDE: f64 = 420.0;
 
 /// Fills of the classes: darker is worse, and what has no difference of deflections is hatched.
-const FILLS: [Fill; 6] = [
+const FILLS: [Fill; 7] = [
     Fill::new((239, 243, 255), Hatch::Plain),
     Fill::new((158, 202, 225), Hatch::Plain),
     Fill::new((66, 146, 198), Hatch::Plain),
     Fill::new((8, 69, 148), Hatch::Plain),
     Fill::new((190, 190, 190), Hatch::Rising),
     Fill::new((213, 94, 0), Hatch::Falling),
+    outcome_fill(None),
 ];
 
-/// What a point shows: a class, or that there is nothing to compare.
+/// What a point shows: a class, or that neither model came to a result in time.
 fn entry(row: &TrustRow) -> (Fill, &'static str) {
-    let is = |outcome: Option<Outcome>| {
-        let name = outcome.map_or("failed".to_owned(), |o| o.to_string());
-        [row.outcome_lt == name, row.outcome_exact == name]
-    };
-    if is(None).contains(&true) {
-        (outcome_fill(None), "failed")
-    } else if is(Some(Outcome::Undecided)) == [true, true] {
+    let undecided = Outcome::Undecided.to_string();
+    if row.outcome_lt == undecided && row.outcome_exact == undecided {
         let fill = outcome_fill(Some(Outcome::Undecided));
         (fill, "both undecided")
     } else {
@@ -57,9 +53,8 @@ pub fn trust(rows: &[TrustRow]) -> Result<String, FigureError> {
     let side = whole_side(SIDE, rows.len().isqrt());
     let entries: Vec<(Fill, &str)> = rows.iter().map(entry).collect();
     let mut occurring: Vec<(Fill, &str)> = FILLS.into_iter().zip(TRUST_CLASSES).collect();
-    for unknown in [outcome_fill(Some(Outcome::Undecided)), outcome_fill(None)] {
-        occurring.extend(entries.iter().find(|(fill, _)| *fill == unknown));
-    }
+    let undecided = outcome_fill(Some(Outcome::Undecided));
+    occurring.extend(entries.iter().find(|(fill, _)| *fill == undecided));
     occurring.retain(|known| entries.contains(known));
     let legend = legend(occurring);
     let width = LEFT + side + 5.0 * RIGHT;
@@ -158,8 +153,8 @@ mod tests {
 
     #[test]
     fn classes_are_told_apart_in_grey_print_by_lightness_or_hatch() {
-        let unknown = [None, Some(Outcome::Undecided)].map(outcome_fill);
-        let fills: Vec<Fill> = FILLS.into_iter().chain(unknown).collect();
+        let undecided = outcome_fill(Some(Outcome::Undecided));
+        let fills: Vec<Fill> = FILLS.into_iter().chain([undecided]).collect();
         for (i, a) in fills.iter().enumerate() {
             for b in &fills[..i] {
                 let apart = (lightness(a.colour) - lightness(b.colour)).abs();
@@ -196,7 +191,7 @@ mod tests {
         for named in ["up to 5°", "another outcome", "failed", "both undecided"] {
             assert!(svg.contains(named), "{named}");
         }
-        for absent in ["bound alike", "5° to 15°"] {
+        for absent in ["alike, no deflection", "5° to 15°"] {
             assert!(!svg.contains(absent), "{absent}");
         }
     }

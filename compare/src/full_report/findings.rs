@@ -5,9 +5,7 @@ use scene::{Gap, Hydrodynamics, LoadSet, Outcome, SceneError};
 use crate::bottom_heavy::PanelRow;
 use crate::cost::{self, Finding};
 use crate::maps::{BoundRow, FateRow, TrustShares};
-use crate::{
-    Approach, ComparisonRow, Encounter, LoadErrorRow, Method, OffsetRow, comparison, numbers,
-};
+use crate::{ComparisonRow, Encounter, LoadErrorRow, Method, OffsetRow, comparison, numbers};
 
 /// A number with a true minus sign.
 fn signed(text: String) -> String {
@@ -62,7 +60,7 @@ fn worst<R>(rows: &[R], error: impl Fn(&R) -> f64) -> Option<&R> {
 }
 
 /// How far lubrication theory and boundary elements are from the exact deflections.
-pub(super) fn of_encounters(approach: Approach, encounters: &[Encounter]) -> String {
+pub(super) fn of_encounters(encounters: &[Encounter]) -> String {
     let all = comparison(encounters);
     let parted = format!("{0} / {0}", Outcome::Scattered);
     let (alike, otherwise): (Vec<_>, Vec<_>) = (all.into_iter())
@@ -73,12 +71,8 @@ pub(super) fn of_encounters(approach: Approach, encounters: &[Encounter]) -> Str
         let wrong = (alike.iter())
             .filter(|row| row.lt_deg.abs().min(row.exact_deg.abs()) > 0.05)
             .filter(|row| row.lt_deg * row.exact_deg < 0.0);
-        let subject = match approach {
-            Approach::HeadOn => "For opposed paths lubrication theory",
-            Approach::Orthogonal => "For paths at right angles lubrication theory",
-        };
         sentences.push(format!(
-            "{subject} is up to {} off ({}: {} instead of {}) and turns {} of {} squirmers the wrong way.",
+            "Lubrication theory is up to {} off ({}: {} instead of {}) and turns {} of {} squirmers the wrong way.",
             degrees(row.lt_error_deg.abs(), 1),
             place(row),
             degrees(row.lt_deg, 1),
@@ -125,26 +119,15 @@ pub(super) fn of_offsets(rows: &[OffsetRow]) -> String {
         .cloned()
         .collect();
     let change = |row: &OffsetRow| row.change1_deg.max(row.change2_deg);
-    let mut cases: Vec<(&str, f64)> = Vec::new();
-    for row in &parts {
-        if !cases
-            .iter()
-            .any(|(case, beta)| *case == row.case && (beta - row.beta) == 0.0)
-        {
-            cases.push((&row.case, row.beta));
-        }
-    }
-    let most: Vec<String> = (cases.into_iter())
-        .filter_map(|(case, beta)| {
-            let of_case: Vec<OffsetRow> = (parts.iter())
-                .filter(|row| row.case == case && (row.beta - beta) == 0.0)
-                .cloned()
-                .collect();
-            let row = worst(&of_case, change)?;
+    let most: Vec<String> = (parts.chunk_by(|a, b| a.case == b.case))
+        .filter_map(|of_case| {
+            let row = worst(of_case, change)?;
             Some(format!(
-                "{} ({case}, β = {}, δz = {})",
+                "{} ({}, β = {}, δx = {}, δz = {})",
                 degrees(change(row), 1),
-                number(beta),
+                row.case,
+                number(row.beta),
+                number(row.dx),
                 number(row.dz)
             ))
         })
@@ -230,7 +213,10 @@ pub(super) fn slopes<'a>(
     ))
 }
 
-/// Which pairs stay bound, model by model, where models differ.
+/// Difference of two shares of the plane that is worth a sentence on the first screen.
+const NOTEWORTHY: f64 = 0.05;
+
+/// Which pairs stay bound, model by model, where models differ much.
 pub(super) fn of_bound(shares: &[FateRow]) -> String {
     let mut parts = Vec::new();
     let mut betas: Vec<f64> = shares.iter().map(|row| row.beta).collect();
@@ -240,16 +226,22 @@ pub(super) fn of_bound(shares: &[FateRow]) -> String {
         let of_beta: Vec<&FateRow> = (shares.iter())
             .filter(|row| (row.beta - beta) == 0.0)
             .collect();
-        let bound = |row: &&&FateRow| row.bound() > 0.005;
-        if of_beta.iter().any(|row| bound(&row)) {
+        let ends = of_beta.iter().map(|row| row.pairwise - row.orbits());
+        let (least, most) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
+            (x.min(a), x.max(b))
+        });
+        if most - least > NOTEWORTHY {
             let by: Vec<String> = of_beta.iter().map(|row| bound_by(row)).collect();
             parts.push(format!("β = {}: {}", number(beta), listed(&by)));
         }
     }
     if parts.is_empty() {
-        return "No pair stays bound.".to_owned();
+        return "All models bind the same pairs.".to_owned();
     }
-    format!("Pairs that stay bound: {}.", parts.join("; "))
+    format!(
+        "Pairs that stay bound, where models differ most: {}.",
+        parts.join("; ")
+    )
 }
 
 fn bound_by(row: &FateRow) -> String {
@@ -259,7 +251,7 @@ fn bound_by(row: &FateRow) -> String {
         ("at rest", row.standoff),
     ];
     let kinds: Vec<String> = (kinds.into_iter())
-        .filter(|(_, share)| *share > 0.005)
+        .filter(|(_, share)| *share > 0.01)
         .map(|(kind, share)| format!("{} {kind}", percent(share)))
         .collect();
     let of = if kinds.is_empty() {
@@ -337,15 +329,17 @@ pub(super) fn of_trust_against_offset(shares: &[TrustShares]) -> String {
     let same = |other: &&TrustShares| {
         other.method == row.method && (other.beta - row.beta) == 0.0 && other.dz != 0.0
     };
-    let off: Vec<String> = (shares.iter().filter(same))
-        .map(|other| format!("{} at {}", percent(other.other_outcome), number(other.dz)))
-        .collect();
+    let off: Vec<TrustShares> = shares.iter().filter(same).cloned().collect();
+    let Some(most) = worst(&off, |row| row.other_outcome) else {
+        return String::new();
+    };
     format!(
-        "For β = {} {} has another outcome over {} of the plane; with an offset out of it of δz: {}.",
+        "For β = {} {} has another outcome over {} of the plane; with an offset out of it over at most {} (δz = {}).",
         number(row.beta),
         called(&row.method),
         percent(row.other_outcome),
-        listed(&off)
+        percent(most.other_outcome),
+        number(most.dz)
     )
 }
 
@@ -430,24 +424,22 @@ pub(super) fn of_gravity(rows: &[PanelRow], orbits: &[FateRow]) -> String {
 fn orbits_in_words(rows: &[FateRow]) -> String {
     let maps = rows.chunk_by(|a, b| a.method == b.method && (a.beta - b.beta) == 0.0);
     let parts: Vec<String> = maps
-        .map(|map| {
-            let last = map.iter().rev().find(|row| row.orbits() > 0.0);
-            let of = match last {
-                None => "none at any G".to_owned(),
-                Some(row) => format!(
-                    "up to G = {} ({} there)",
-                    number(row.g),
-                    percent(row.orbits())
-                ),
-            };
-            let FateRow { beta, method, .. } = &map[0];
-            format!("β = {} by {} {of}", number(*beta), called(method))
+        .filter_map(|map| {
+            let row = map.iter().rev().find(|row| row.orbits() > 0.0)?;
+            let FateRow {
+                beta, method, g, ..
+            } = row;
+            let (beta, g, share) = (number(*beta), number(*g), percent(row.orbits()));
+            Some(format!(
+                "β = {beta} by {} up to G = {g} ({share} there)",
+                called(method)
+            ))
         })
         .collect();
     if parts.is_empty() {
         String::new()
     } else {
-        format!("Starts that end in an orbit: {}.", parts.join("; "))
+        format!("Starts end in orbits for {}.", listed(&parts))
     }
 }
 
@@ -505,6 +497,7 @@ mod tests {
             beyond_45_deg: 0.25 - other_outcome,
             same_outcome: 0.0,
             other_outcome,
+            failed: 0.0,
         }
     }
 
@@ -525,13 +518,13 @@ mod tests {
             text.contains("For β = −5 lubrication theory has another outcome over 20.0 %"),
             "{text}"
         );
-        assert!(text.contains("5.0 % at 0.1"), "{text}");
+        assert!(text.contains("at most 5.0 % (δz = 0.1)"), "{text}");
         assert_eq!(of_trust_against_offset(&[]), "");
     }
 
     #[test]
     fn a_page_without_runs_finds_nothing() {
-        assert_eq!(of_encounters(Approach::HeadOn, &[]), "");
+        assert_eq!(of_encounters(&[]), "");
         assert_eq!(of_offsets(&[]), "");
         assert_eq!(of_loads(&[]), "");
         assert_eq!(of_fates(&[]), "");

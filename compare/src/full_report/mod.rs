@@ -191,9 +191,9 @@ impl Content {
         self.sections.push(Section {
             id: approach.to_string(),
             title: title.to_owned(),
-            finding: findings::of_encounters(approach, &encounters),
+            finding: findings::of_encounters(&encounters),
             prose: vec![prose],
-            figures: written(of_encounters(approach, &encounters)?, out)?,
+            figures: written(of_encounters(approach, &encounters, Drawn::Paths)?, out)?,
             tables: vec![Table::from_csv(
                 "Deflection is outgoing minus incoming angle; tau is the time spent at gaps up \
                  to 1; seconds are wall-clock time of the run without the table's set-up.",

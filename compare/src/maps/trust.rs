@@ -65,15 +65,21 @@ impl TrustRow {
         scattered.then(|| self.difference1_deg.abs().max(self.difference2_deg.abs()))
     }
 
-    /// The class of trust: how far the deflections are apart, or that the outcomes differ.
+    /// Whether a run has no result, so that there is nothing to compare.
+    fn failed(&self) -> bool {
+        self.outcome_lt == FAILED || self.outcome_exact == FAILED
+    }
+
+    /// The class of trust: how far the deflections are apart, that the outcomes differ, or that a run failed.
     #[must_use]
     pub fn class(&self) -> usize {
         match self.difference() {
-            _ if !self.agrees() => CLASSES.len() - 1,
+            _ if self.failed() => CLASSES.len() - 1,
+            _ if !self.agrees() => CLASSES.len() - 2,
             Some(difference) => (BOUNDS_DEG.iter())
                 .position(|&bound| difference <= bound)
                 .unwrap_or(BOUNDS_DEG.len()),
-            None => CLASSES.len() - 2,
+            None => CLASSES.len() - 3,
         }
     }
 }
@@ -82,13 +88,14 @@ impl TrustRow {
 const BOUNDS_DEG: [f64; 3] = [5.0, 15.0, 45.0];
 
 /// The classes of trust.
-pub(crate) const CLASSES: [&str; 6] = [
+pub(crate) const CLASSES: [&str; 7] = [
     "up to 5°",
     "5° to 15°",
     "15° to 45°",
     "more than 45°",
-    "bound alike",
+    "alike, no deflection",
     "another outcome",
+    "failed",
 ];
 
 /// Shares of the plane by how well lubrication theory does.
@@ -114,11 +121,13 @@ pub struct TrustShares {
     pub same_outcome: f64,
     /// Another outcome.
     pub other_outcome: f64,
+    /// A run without a result.
+    pub failed: f64,
 }
 
 impl TrustShares {
-    /// The shares in the order of the classes: by rising difference, then what is bound alike, then another
-    /// outcome.
+    /// The shares in the order of the classes: by rising difference, then the same outcome without a deflection, then
+    /// another outcome, then what failed.
     #[must_use]
     pub fn in_order(&self) -> [f64; CLASSES.len()] {
         [
@@ -128,6 +137,7 @@ impl TrustShares {
             self.beyond_45_deg,
             self.same_outcome,
             self.other_outcome,
+            self.failed,
         ]
     }
 }
@@ -151,6 +161,7 @@ pub fn trust_shares(rows: &[TrustRow]) -> Vec<TrustShares> {
                 beyond_45_deg: share(3),
                 same_outcome: share(4),
                 other_outcome: share(5),
+                failed: share(6),
             }
         })
         .collect()
@@ -197,5 +208,41 @@ impl Maps<'_> {
             see(model, pair, rows)
         })?;
         Ok(true)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::float_cmp, reason = "shares of four are exact")]
+
+    use super::*;
+
+    fn row(outcomes: [&str; 2]) -> TrustRow {
+        TrustRow {
+            beta: 1.0,
+            delta: 0.5,
+            sigma: 0.5,
+            outcome_lt: outcomes[0].to_owned(),
+            outcome_exact: outcomes[1].to_owned(),
+            difference1_deg: f64::NAN,
+            difference2_deg: f64::NAN,
+            method: "lt".to_owned(),
+            g: 0.0,
+            dz: 0.0,
+        }
+    }
+
+    #[test]
+    fn runs_that_failed_neither_agree_nor_differ() {
+        let pairs = [
+            ["failed", "failed"],
+            ["failed", "scattered"],
+            ["pairwise", "failed"],
+            ["pairwise", "scattered"],
+        ];
+        let shares = trust_shares(&pairs.map(row));
+        assert_eq!(shares[0].failed, 0.75);
+        assert_eq!(shares[0].other_outcome, 0.25);
+        assert_eq!(shares[0].same_outcome, 0.0);
     }
 }

@@ -4,6 +4,8 @@
 //! `k sin(angle to -g)`, `k = V_s G_bh/(8 pi)` (the paper's Eq. 12). With `h` half the angle,
 //! `tan h(t) = tan h(0) exp(-k t)`, and the displacement follows by integration.
 
+use std::f64::consts::FRAC_PI_2;
+
 use nalgebra::Vector3;
 
 use super::configuration::{Configuration, unwind};
@@ -94,11 +96,19 @@ impl Flight {
         )
     }
 
-    /// Acceleration after the time `t`.
-    fn acceleration_at(&self, t: f64) -> f64 {
-        self.turning.map_or(0.0, |turning| {
-            let across = self.at(t).1.cross(&turning.up).norm();
-            (self.speed * turning.rate).abs() * across
+    /// Acceleration after the time `t`, `|V k| sin(angle to up)`, and a bound on it from then on: gravity that rights a
+    /// squirmer makes that angle smaller, so that within a right angle the acceleration only falls.
+    fn acceleration(&self, t: f64) -> (f64, f64) {
+        self.turning.map_or((0.0, 0.0), |turning| {
+            let most = (self.speed * turning.rate).abs();
+            let angle =
+                2.0 * (turning.sin_half * (-turning.rate * t).exp()).atan2(turning.cos_half);
+            let now = most * angle.sin().abs();
+            if turning.rate > 0.0 && angle <= FRAC_PI_2 {
+                (now, now)
+            } else {
+                (now, most)
+            }
         })
     }
 
@@ -118,11 +128,6 @@ impl Flight {
                 f64::INFINITY
             }
         })
-    }
-
-    /// Largest acceleration on the way.
-    fn acceleration(&self) -> f64 {
-        self.turning.map_or(0.0, |t| (self.speed * t.rate).abs())
     }
 }
 
@@ -205,7 +210,7 @@ impl PairFlight {
     /// that starts there is in contact at time 0 if it closes in, by more than a graze.
     ///
     /// Conservative advancement: the distance's second derivative is at least minus the sum `A`
-    /// of the accelerations, so the parabola `D + D' t - A t^2/2` bounds the distance from below
+    /// of the accelerations' bounds from there on, so the parabola `D + D' t - A t^2/2` bounds the distance from below
     /// and its first root is never past the contact. On straight paths this is Newton's method on
     /// a convex function. A pair on curved paths that creeps along at the distance of contact, as
     /// two that swim upward side by side, is in contact when it closes in in earnest.
@@ -226,7 +231,6 @@ impl PairFlight {
         if self.keeps_distance() {
             return Ok(None);
         }
-        let acceleration: f64 = self.flights.iter().map(Flight::acceleration).sum();
         let fastest = (self.flights.iter().map(|f| f.speed.abs())).fold(0.0, f64::max);
         let creeping = if self.is_straight() {
             0.0
@@ -240,6 +244,8 @@ impl PairFlight {
             }
             let (distance, rate) = self.distance(t);
             let left = (distance - contact).max(0.0);
+            let accelerations = self.flights.map(|flight| flight.acceleration(t));
+            let acceleration: f64 = accelerations.iter().map(|(_, bound)| bound).sum();
             let root = (rate * rate + 2.0 * acceleration * left).sqrt();
             let advance = if rate <= 0.0 && left > 0.0 {
                 2.0 * left / (root - rate)
@@ -264,7 +270,7 @@ impl PairFlight {
                 return Ok(None);
             }
             let creep = if arrived {
-                let bend: f64 = self.flights.iter().map(|f| f.acceleration_at(t)).sum();
+                let bend: f64 = accelerations.iter().map(|(now, _)| now).sum();
                 (creeping / bend).min(LONGEST_CREEP)
             } else {
                 0.0
