@@ -4,9 +4,8 @@
 //! What is a limit from both sides has to be reached from all of these starts. On the smallest gap the motion enters from one side: a pair that closes in is
 //! unresolved at once, one that opens or rests is resolved.
 //!
-//! Separatrices among such starts, where the limits from the two sides differ and rounding decides: headings in parallel across the
-//! line of centres at the departure distance, whose distance changes by the far field alone (left out below); and at the smallest gap a
-//! gap that neither opens nor closes at first, where the second derivative decides.
+//! Separatrices among such starts: passive spheres at rest, which stay where they are; and at the smallest gap a pair that
+//! neither closes nor opens at first but for rounding, which decides whether it is unresolved at once.
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
@@ -131,6 +130,23 @@ fn check_limit<H: Hydrodynamics>(model: &H, r: f64, count: usize) -> usize {
 fn starts_at_the_departure_distance_end_as_those_on_either_side() {
     assert!(check_limit(exact(), 12.0, 10) > 0);
     assert!(check_limit(by_mesh(), 12.0, 10) > 0);
+}
+
+#[test]
+fn squirmers_side_by_side_at_the_departure_distance_end_as_those_on_either_side() {
+    // Their distance changes by the far field alone.
+    for beta in [0.0, 1.0, -1.0, 5.0] {
+        let pair = Pair {
+            beta: [Some(beta); 2],
+            headings_deg: [90.0; 2],
+            repulsion: None,
+        };
+        let outcome = |off: f64| pair.run(exact(), 12.0 + off).unwrap().outcome;
+        let ulp = 12.0_f64.next_up() - 12.0;
+        let all = [-1e-9, -1e-12, -ulp, 0.0, ulp, 1e-12, 1e-9].map(outcome);
+        println!("{beta}: {all:?}");
+        assert!(all.iter().all(|o| *o == all[0]), "{beta}: {all:?}");
+    }
 }
 
 #[test]
