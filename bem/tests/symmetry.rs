@@ -9,7 +9,7 @@ use bem::mesh::Nodes;
 use bem::slip;
 use bem::surface::{Block, Profile, Surface, Target, Work, mirrored_z};
 use nalgebra::{DMatrix, DVector, Vector3};
-use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, SelfOther};
+use scene::{Gap, LoadSet, PairLoads, SelfOther};
 
 /// Two spheres, sphere 2 in the mirrored frame, so that its nodes are those of sphere 1.
 struct Unsplit {
