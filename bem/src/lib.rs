@@ -36,6 +36,7 @@ pub mod mesh;
 pub mod model;
 pub mod pair;
 pub mod quadrature;
+mod refinement;
 pub mod slip;
 pub mod surface;
 

@@ -110,6 +110,26 @@ fn val_a_finer_level_is_closer_at_the_gap_0_001_too() {
 }
 
 #[test]
+fn val_the_finest_level_has_every_load_to_1e_5_at_the_gap_0_001_and_within_its_own_estimate() {
+    // Some 25 seconds of one core: three levels with up to 5,700 nodes a sphere.
+    let (at, set) = (gap(0.001), LoadSet::all(2));
+    let model = Bem::new(Bem::LEVELS.1).unwrap();
+    let (found, estimates) = model.solve_with_estimates(at, set).unwrap();
+    let truth = Exact::new().loads(at, set).unwrap();
+    let worst = found.loads.worst_error(&truth);
+    println!("{worst:?}");
+    assert!(worst.1 < 1e-5, "{worst:?}");
+    let rows = found.loads.named().into_iter().zip(truth.named());
+    for (((name, a), (_, b)), (_, own)) in rows.zip(estimates.loads.named()) {
+        let error = (a - b).abs();
+        assert!(error <= own, "{name}: {error:e} against {own:e}");
+    }
+    // Worth something: the largest is that of X11A.
+    let largest = estimates.largest(&found.loads, &found.swirl);
+    assert!(largest < 2e-4, "{largest:e}");
+}
+
+#[test]
 fn val_the_error_is_below_three_times_its_estimate_at_random_gaps() {
     let exact = Exact::new();
     let mut held = 0;

@@ -40,6 +40,17 @@ pub struct SwirlLoads {
     count: usize,
 }
 
+/// Mode by mode, of those that the sum holds; the other summand must hold them too.
+impl std::ops::AddAssign<&Self> for SwirlLoads {
+    fn add_assign(&mut self, rhs: &Self) {
+        for (mode, more) in self.modes_mut().iter_mut().zip(rhs.modes()) {
+            mode.xtc += more.xtc;
+            mode.yfc += more.yfc;
+            mode.ytc += more.ytc;
+        }
+    }
+}
+
 impl SwirlLoads {
     /// From the loads by each swirl mode (at most [`MAX_MODES`]), counted from 0.
     #[inline]

@@ -139,8 +139,8 @@ fn tables_of_boundary_elements_solve_the_symmetry_classes_that_are_read() {
         };
         let table = Tabulated::build(Bem::new(1).unwrap(), options, &|_| ()).unwrap();
         let solves = table.model().solves();
-        // Each piece states an error: at three gaps, by solves at three levels.
-        let estimates = solves / classes - table.summary().evaluations;
+        // Each piece states an error: at three gaps, by solves at three levels. Each level solves for lone spheres once.
+        let estimates = solves / classes - table.summary().evaluations - 3;
         assert_eq!(solves % classes, 0);
         assert!(estimates > 0 && estimates % 9 == 0, "{estimates}");
     }

@@ -316,7 +316,7 @@ where
         let (y, mut stepper) = self.stepper(end_time)?;
         let tolerance = self.options.tolerance;
         let beyond = |ln_gap: f64| parting.is_some_and(|parting| ln_gap >= parting.ln());
-        if beyond(y[C::LN_GAP]) && stepper.dy()[C::LN_GAP] >= 0.0 {
+        if beyond(y[C::LN_GAP]) && stepper.dy()[C::LN_GAP] > 0.0 {
             return Ok(PhaseEnd::Parted);
         }
         if y[C::LN_GAP] <= self.floor.gap.ln() && stepper.dy()[C::LN_GAP] < 0.0 {

@@ -29,7 +29,8 @@ where
         let crests = parting.is_some() && step.dy0[of] > 0.0 && step.dy1[of] < 0.0;
         let samples = self.recorder.is_due(step.t1);
         let floor = self.floor;
-        let closes = step.y1[of] <= floor.gap.ln();
+        // A pair that rests there, or opens from there, does not close.
+        let closes = step.y1[of] <= floor.gap.ln() && step.y1[of] < step.y0[of];
         let dense = if turns || crests || crosses(contact) || parts || closes || samples {
             Some(step.dense(&mut self.motion)?)
         } else {
@@ -141,8 +142,8 @@ where
 }
 
 /// Whether a pair is beyond the gap at which it parts when the step ends: it crossed that gap, or began
-/// beyond it and recedes by now.
+/// there or beyond and recedes by now. One that rests there does not part.
 fn parts<C: Coordinates<N>, const N: usize>(step: &Step<N>, gap: Gap) -> bool {
     let of = C::LN_GAP;
-    step.y1[of] >= gap.ln() && (step.y0[of] <= gap.ln() || step.dy1[of] >= 0.0)
+    step.y1[of] >= gap.ln() && (step.y0[of] < gap.ln() || step.dy1[of] > 0.0)
 }
