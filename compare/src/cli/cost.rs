@@ -47,9 +47,9 @@ pub(super) fn run(
     let options = CostOptions {
         quick: arguments.quick,
     };
-    let progress = Progress::of(cost::STAGES, "cost");
+    let progress = Progress::of_unlike(cost::STAGES, "parts of the cost");
     let rows = cost::measure(&options, &|| progress.advance())?;
-    progress.finish();
+    drop(progress);
     let csv = csv_text(&rows)?;
     out.write("cost.csv", &csv)?;
     // Pictures show what the file says, and nothing else.

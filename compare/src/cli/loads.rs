@@ -9,6 +9,7 @@ use super::commands::{model_options, print_rows};
 use super::many::{PRINTED, print_rest};
 use crate::numbers::{rounded, written};
 use crate::output::{OutputFolder, csv_text};
+use crate::progress::Progress;
 use crate::{CompareError, Method, Model, ModelOptions, Numbers};
 
 /// Gaps up to which every load is solved for: a table would take longer.
@@ -53,6 +54,7 @@ pub(super) fn run(
     for &method in &methods {
         check_range(method, &options, &gaps)?;
         let at = estimator(method, set, &options)?;
+        let progress = Progress::of(gaps.len(), "gaps");
         for &gap in &gaps {
             rows.extend(at(gap)?.into_iter().map(|(name, value, error)| LoadRow {
                 method: method.name(),
@@ -61,6 +63,7 @@ pub(super) fn run(
                 value,
                 error_estimate: error.map_or("none".to_owned(), |error| format!("{error:.1e}")),
             }));
+            progress.advance();
         }
     }
     out.write("loads.csv", &csv_text(&rows)?)?;

@@ -17,13 +17,14 @@ use clap::Parser;
 use clap::error::ErrorKind;
 
 use crate::CompareError;
+use crate::interrupt;
 use crate::streams::{complain, refused, write_out};
 use args::Arguments;
 
 /// Runs the command line `arguments` (the program's name first).
 ///
 /// Exit status 0 on success, 1 if a run failed or a bound is broken, 2 for bad input or a bad output place, 75 if
-/// the time limit stopped the command; each prints one line on standard error.
+/// the time limit stopped the command, 130 if it was interrupted; each prints one line on standard error.
 pub fn run<I, T>(arguments: I) -> ExitCode
 where
     I: IntoIterator<Item = T>,
@@ -34,6 +35,7 @@ where
         Ok(parsed) => parsed,
         Err(error) => return refuse(&error),
     };
+    interrupt::listen();
     let typed: Vec<_> = (arguments.iter().skip(1))
         .map(|argument| argument.to_string_lossy().into_owned())
         .collect();
@@ -47,7 +49,11 @@ fn ended(done: Result<(), CompareError>) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            complain!("error: {error}");
+            match error {
+                // What was asked for is no mistake.
+                CompareError::Interrupted { .. } => complain!("{error}"),
+                _ => complain!("error: {error}"),
+            }
             ExitCode::from(error.exit_status())
         }
     }
