@@ -230,6 +230,52 @@ fn many_mistakes_are_counted_and_the_first_are_listed_within_seconds() {
 }
 
 #[test]
+fn a_start_below_the_smallest_gap_of_the_model_is_a_mistake_with_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("near.toml");
+    let squirmer =
+        |x: f64| format!("[[squirmer]]\nposition = [{x:?}, 0.0]\norientation = 0.0\nbeta = 1.0\n");
+    let near = squirmer(0.0) + &squirmer(2.0001);
+    std::fs::write(&file, format!("hydrodynamics = \"bem\"\n{near}")).unwrap();
+    let out = folder.path().join("out");
+    for command in ["run", "explain"] {
+        let output = squirmers(command, &file, &out, &[]);
+        let message = text(output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(
+            message
+                .contains("7:12: squirmer[1].position: found [2.0001, 0.0]; the start is too near"),
+            "{message}"
+        );
+        assert!(files(&out).is_empty());
+    }
+}
+
+/// The most digits that a number has in some text, without its exponent.
+fn most_digits(text: &str) -> usize {
+    (text.split(|c: char| !(c.is_ascii_digit() || c == '.')))
+        .map(|number| number.chars().filter(char::is_ascii_digit).count())
+        .max()
+        .unwrap_or(0)
+}
+
+#[test]
+fn what_is_printed_has_no_more_digits_than_a_person_reads() {
+    let folder = tempfile::tempdir().unwrap();
+    for (command, name) in [
+        ("run", "fig6-head-on-dx1"),
+        ("run", "fig8e-downward"),
+        ("explain", "fig8e-downward"),
+        ("explain", "fig6-head-on-dx1"),
+    ] {
+        let output = squirmers(command, &scene(name), folder.path(), &[]);
+        assert!(output.status.success());
+        let printed = text(output.stdout);
+        assert!(most_digits(&printed) <= 9, "{command} {name}:\n{printed}");
+    }
+}
+
+#[test]
 fn mistakes_are_listed_with_their_places_and_nothing_is_written() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("typo.toml");

@@ -299,7 +299,7 @@ fn print_encounters(rows: &[EncounterRow]) {
                 rounded(row.deflection1_deg, 4),
                 rounded(row.deflection2_deg, 4),
                 rounded(row.min_gap, 5),
-                format!("{:.3}", row.tau),
+                rounded(row.tau, 3),
                 row.outcome.clone(),
             ]
         }),
@@ -315,8 +315,11 @@ pub(crate) fn failure(encounter: &Encounter, reason: &NoRun) -> String {
         dz,
     } = encounter.case;
     format!(
-        "{approach}, {}, beta {beta}, dx {dx}, dz {dz}: {reason}",
-        encounter.method
+        "{approach}, {}, beta {}, dx {}, dz {}: {reason}",
+        encounter.method,
+        written(beta),
+        written(dx),
+        written(dz)
     )
 }
 

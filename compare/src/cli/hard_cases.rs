@@ -4,6 +4,7 @@ use comfy_table::{Table, presets};
 
 use super::args::Arguments;
 use crate::hard_cases::{Bench, GROUPS, Group, HardCaseRow, all_rows};
+use crate::numbers::size;
 use crate::output::csv_text;
 use crate::streams::say;
 use crate::{CompareError, ModelOptions};
@@ -37,8 +38,8 @@ fn print<'a>(group: &Group, rows: impl Iterator<Item = &'a HardCaseRow>) {
         [
             row.method.to_owned(),
             row.measure.clone(),
-            format!("{:.1e}", row.bound),
-            format!("{:.1e}", row.value),
+            size(row.bound),
+            size(row.value),
             if row.holds { "yes" } else { "NO" }.to_owned(),
         ]
     }));

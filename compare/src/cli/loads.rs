@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::args::{Arguments, ModelArguments};
 use super::commands::{model_options, print_rows};
 use super::many::{PRINTED, print_rest};
-use crate::numbers::{rounded, written};
+use crate::numbers::{rounded, size, written};
 use crate::output::{OutputFolder, csv_text};
 use crate::progress::Progress;
 use crate::{CompareError, Method, Model, ModelOptions, Numbers};
@@ -43,7 +43,7 @@ pub(super) fn run(
     let gaps: Vec<_> = (gaps.0.iter())
         .map(|&eps| {
             Gap::new(eps).map_err(|_| {
-                let allowed = "gaps must be greater than 0 and finite";
+                let allowed = "gaps must be greater than 0 and finite (commas part them, decimals take a point)";
                 CompareError::input("--gap", format!("{eps:?}"), allowed)
             })
         })
@@ -61,7 +61,7 @@ pub(super) fn run(
                 gap: gap.eps(),
                 name,
                 value,
-                error_estimate: error.map_or("none".to_owned(), |error| format!("{error:.1e}")),
+                error_estimate: error.map_or("none".to_owned(), size),
             }));
             progress.advance();
         }
@@ -114,11 +114,10 @@ fn estimator(
 
 /// Refuses a gap that the method cannot answer for before anything is computed.
 fn check_range(method: Method, options: &ModelOptions, gaps: &[Gap]) -> Result<(), CompareError> {
-    if method == Method::Bem {
-        let bem = Bem::new(options.mesh)?;
-        for &gap in gaps {
-            bem.check(gap)?;
-        }
+    for &gap in gaps {
+        method.check_gap(options.mesh, gap).map_err(|error| {
+            CompareError::input("--gap", format!("{:?}", gap.eps()), error.to_string())
+        })?;
     }
     Ok(())
 }

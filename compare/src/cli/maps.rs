@@ -5,7 +5,7 @@ use clap::{Arg, Args};
 use super::args::{Arguments, ModelArguments, RunArguments};
 use super::commands::{model_options, print_rows, set_up, sweep_options};
 use crate::maps::{self, BoundExample, FateRow, Grid, Pair, TrustRow, TrustShares};
-use crate::numbers::{Numbers, parse_numbers};
+use crate::numbers::{Numbers, parse_numbers, parse_whole, rounded, written};
 use crate::output::{OutputFolder, csv_text};
 use crate::streams::say;
 use crate::sweep::SweepOptions;
@@ -29,6 +29,7 @@ pub(crate) struct MapArguments {
         long,
         value_name = "N",
         default_value_t = 100,
+        value_parser = parse_whole,
         allow_hyphen_values = true
     )]
     pub grid: usize,
@@ -196,15 +197,15 @@ fn print_examples(examples: &[BoundExample]) {
     let line = |row: &BoundExample| {
         vec![
             row.method.clone(),
-            row.beta.to_string(),
+            written(row.beta),
             row.outcome_lt.clone(),
             row.outcome_exact.clone(),
             percent(row.share),
-            format!("{:.3}", row.delta),
-            format!("{:.3}", row.sigma),
+            rounded(row.delta, 3),
+            rounded(row.sigma, 3),
             row.state.to_owned(),
-            format!("{:.4}", row.gap),
-            format!("{:.3}", row.growth),
+            rounded(row.gap, 4),
+            rounded(row.growth, 3),
         ]
     };
     print_rows(&header, examples.iter().map(line));
@@ -229,7 +230,7 @@ fn print_fates(rows: &[FateRow]) {
     let header = ["%", "beta", "g"].into_iter();
     let header: Vec<_> = header.chain(occur.iter().map(|(name, _)| *name)).collect();
     let line = |row: &FateRow| {
-        let place = [row.method.clone(), row.beta.to_string(), row.g.to_string()];
+        let place = [row.method.clone(), written(row.beta), written(row.g)];
         let shares = occur.iter().map(|(_, share)| percent(share(row)));
         place.into_iter().chain(shares).collect()
     };
@@ -240,7 +241,7 @@ fn print_trust(shares: &[TrustShares]) {
     let mut header = vec!["%", "beta", "g", "dz"];
     header.extend(maps::TRUST_CLASSES);
     let line = |row: &TrustShares| {
-        let numbers = [row.beta, row.g, row.dz].map(|number| number.to_string());
+        let numbers = [row.beta, row.g, row.dz].map(written);
         let mut line = vec![row.method.clone()];
         line.extend(numbers);
         line.extend(row.in_order().map(percent));

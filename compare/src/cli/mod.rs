@@ -30,7 +30,7 @@ where
     I: IntoIterator<Item = T>,
     T: Into<OsString> + Clone,
 {
-    let arguments: Vec<OsString> = arguments.into_iter().map(Into::into).collect();
+    let arguments = without_help_on_help(arguments.into_iter().map(Into::into).collect());
     let parsed = match Arguments::try_parse_from(&arguments) {
         Ok(parsed) => parsed,
         Err(error) => return refuse(&error),
@@ -43,6 +43,14 @@ where
         .and_then(|()| check_cache(&parsed))
         .and_then(|()| commands::run(&parsed, &typed));
     ended(done.and_then(|()| refused()))
+}
+
+/// The command `help` knows no options; `--help` beside it asks for what it prints anyway.
+fn without_help_on_help(mut arguments: Vec<OsString>) -> Vec<OsString> {
+    if arguments.get(1).is_some_and(|command| command == "help") {
+        arguments.retain(|argument| argument != "--help" && argument != "-h");
+    }
+    arguments
 }
 
 fn ended(done: Result<(), CompareError>) -> ExitCode {
