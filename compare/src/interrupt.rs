@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::SeqCst};
 use std::sync::{Mutex, PoisonError};
 
 use crate::progress;
+use crate::streams::complain;
 
 /// Exit status of a command that was interrupted.
 pub(crate) const STATUS: u8 = 130;
@@ -23,20 +24,21 @@ pub(crate) fn listen() {
     // Also where whoever started the command has interrupts ignored, as shells do in the background: an interrupt that
     // comes all the same is meant. If the system refuses, an interrupt ends the command as it would without this.
     let _ = ctrlc::set_handler(|| {
-        let again = REQUESTED.swap(true, SeqCst);
-        if again {
+        if REQUESTED.swap(true, SeqCst) {
             std::process::exit(STATUS.into());
         }
-        if KEEPING.load(SeqCst) > 0 {
-            progress::interject(
-                "interrupted: the pieces under way are finished first; a second interrupt ends at once",
-            );
-            return;
-        }
-        let left = LEFT.lock().unwrap_or_else(PoisonError::into_inner).take();
-        let left = left.map_or(String::new(), |left| format!(": {left}"));
-        progress::interject(&format!("interrupted{left}"));
-        std::process::exit(STATUS.into());
+        progress::aside(|| {
+            if KEEPING.load(SeqCst) > 0 {
+                complain!(
+                    "interrupted: the pieces under way are finished first; a second interrupt ends at once"
+                );
+            } else {
+                let left = LEFT.lock().unwrap_or_else(PoisonError::into_inner).take();
+                let left = left.map_or(String::new(), |left| format!(": {left}"));
+                complain!("interrupted{left}");
+                std::process::exit(STATUS.into());
+            }
+        });
     });
 }
 

@@ -20,9 +20,9 @@ const REDRAWN: Duration = Duration::from_millis(200);
 /// The lines of all work under way, which may be within other work.
 static LINES: LazyLock<MultiProgress> = LazyLock::new(MultiProgress::new);
 
-/// A line on standard error above those of the work under way.
-pub(crate) fn interject(line: &str) {
-    LINES.suspend(|| complain!("{line}"));
+/// Does something while the lines of the work under way are not on the terminal.
+pub(crate) fn aside(speak: impl FnOnce()) {
+    LINES.suspend(speak);
 }
 
 /// Says on standard error how far some work is, until it is dropped.

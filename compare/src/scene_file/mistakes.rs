@@ -9,7 +9,7 @@ use crate::numbers::{decimal_comma, point_hint};
 /// Longest piece of the file that a mistake quotes, in characters.
 const QUOTED: usize = 40;
 
-/// Longest line that is searched for decimal commas, in bytes.
+/// Longest piece of a line that is looked at where the file is not TOML, in bytes or characters.
 const SEARCHED: usize = 1000;
 
 /// Edits up to which a key counts as misspelt.
@@ -93,6 +93,10 @@ impl<'t> Notes<'t> {
 
     /// A mistake about a number with a decimal comma on the line of `span`, if there is one: whether there is.
     pub(super) fn note_decimal_comma(&mut self, span: Range<usize>) -> bool {
+        // Of more mistakes nobody sees more than the number.
+        if self.count() >= LISTED {
+            return false;
+        }
         let text = self.text;
         let (before, after) = (text.get(..span.start), text.get(span.start..));
         let (Some(before), Some(after)) = (before, after) else {
@@ -167,6 +171,16 @@ impl<'t> Notes<'t> {
         mistakes.sort_by_key(|mistake| (mistake.line, mistake.column));
         mistakes.dedup();
         Mistakes(mistakes)
+    }
+
+    /// The piece of the file at `span`, or what follows on its line if that is empty.
+    pub(super) fn quote_on(&self, span: Range<usize>) -> String {
+        if !span.is_empty() || self.count() >= LISTED {
+            return self.quote(span);
+        }
+        let rest = self.text.get(span.start..).unwrap_or_default();
+        let line = (rest.chars().take(SEARCHED)).take_while(|&c| c != '\n');
+        self.quote(span.start..span.start + line.map(char::len_utf8).sum::<usize>())
     }
 
     /// The piece of the file at `span`, on one line.

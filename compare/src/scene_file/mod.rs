@@ -64,7 +64,7 @@ impl SceneFile {
         let (table, errors) = DeTable::parse_recoverable(text);
         for error in &errors {
             let span = error.span().unwrap_or(0..0);
-            let found = notes.quote(span.clone());
+            let found = notes.quote_on(span.clone());
             let reason = error.message().replace('\n', "; ");
             if !notes.note_decimal_comma(span.clone()) {
                 notes.note(span, "", found, format!("not TOML: {reason}"));

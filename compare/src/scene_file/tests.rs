@@ -120,6 +120,11 @@ fn a_decimal_comma_is_told_from_other_mistakes() {
         first("beta = 1", "beta = \"5,0\""),
         "5:8: squirmer[0].beta: found \"5,0\"; give a finite number: decimals take a point, 5.0"
     );
+    let not_one = first("beta = 1", "beta = 1,2,3");
+    assert!(
+        not_one.starts_with("5:9: found ,2,3; not TOML: "),
+        "{not_one}"
+    );
     let list = first("[-1.5, 0]", "[-1,5, 0,0]");
     assert!(list.ends_with("give a list of 2 to 3 finite numbers: decimals take a point, -1.5"));
     let list = first("[-1.5, 0]", "[-1,5,0,0]");
