@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
+use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, Width, presets};
 use scene::{LoadSet, MAX_MODES, RunOptions};
 
 use super::args::{Arguments, Command, EncounterArguments, ModelArguments, RunArguments};
@@ -329,14 +329,22 @@ const TERMINAL: u16 = 80;
 pub(super) fn print_rows(header: &[&str], rows: impl Iterator<Item = Vec<String>>) {
     let mut table = Table::new();
     table.load_preset(presets::NOTHING).set_header(header);
-    // Headers wrap before a table is wider than a terminal.
+    // Headers wrap before a table is wider than a terminal; what is in it stays whole.
     table
         .set_content_arrangement(ContentArrangement::Dynamic)
         .set_width(TERMINAL);
+    let rows: Vec<_> = rows.collect();
+    let width = |column: usize| {
+        let cells = rows.iter().filter_map(|row| row.get(column));
+        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<_> = (0..header.len()).map(width).collect();
     table.add_rows(rows);
-    for column in table.column_iter_mut() {
+    for (column, width) in table.column_iter_mut().zip(widths) {
         column.set_cell_alignment(CellAlignment::Right);
         column.set_padding((0, 1));
+        let whole = Width::Fixed(u16::try_from(width + 1).unwrap_or(TERMINAL));
+        column.set_constraint(ColumnConstraint::LowerBoundary(whole));
     }
     say!("{table}");
 }

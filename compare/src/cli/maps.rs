@@ -180,7 +180,8 @@ pub(super) fn trust(arguments: &TrustArguments, general: &Arguments) -> Result<(
     run.out.account().verdict()
 }
 
-/// Which bound states one model has and the other has not.
+/// Which bound states one model has and the other has not; how fast they grow is in the file alone, for names of
+/// outcomes would not fit beside it.
 fn print_examples(examples: &[BoundExample]) {
     let header = [
         "judged",
@@ -191,8 +192,7 @@ fn print_examples(examples: &[BoundExample]) {
         "Delta",
         "Sigma",
         "the other has it",
-        "gap",
-        "growth",
+        "gap [a]",
     ];
     let line = |row: &BoundExample| {
         vec![
@@ -204,8 +204,7 @@ fn print_examples(examples: &[BoundExample]) {
             rounded(row.delta, 3),
             rounded(row.sigma, 3),
             row.state.to_owned(),
-            rounded(row.gap, 4),
-            rounded(row.growth, 3),
+            rounded(row.gap, 3),
         ]
     };
     print_rows(&header, examples.iter().map(line));
