@@ -260,7 +260,7 @@ fn most_digits(text: &str) -> usize {
 }
 
 #[test]
-fn what_is_printed_has_no_more_digits_than_a_person_reads() {
+fn what_is_printed_fits_a_terminal_and_has_no_more_digits_than_a_person_reads() {
     let folder = tempfile::tempdir().unwrap();
     // One and a half times this is not what rounding makes of it.
     let rounds = folder.path().join("rounds.toml");
@@ -273,6 +273,11 @@ fn what_is_printed_has_no_more_digits_than_a_person_reads() {
             let printed = text(output.stdout);
             let file = file.display();
             assert!(most_digits(&printed) <= 9, "{command} {file}:\n{printed}");
+            let is_narrow = |line: &str| line.chars().count() <= 80;
+            assert!(
+                printed.lines().all(is_narrow),
+                "{command} {file}:\n{printed}"
+            );
         }
     }
 }
@@ -313,6 +318,7 @@ fn explain_prints_the_plan() {
     let output = squirmers("explain", &scene("fig8e-downward"), folder.path(), &[]);
     assert!(output.status.success());
     let printed = text(output.stdout);
+    let words = printed.split_whitespace().collect::<Vec<_>>().join(" ");
     for expected in [
         "mirror-symmetric: 3 numbers",
         "Y11A + Y12A",
@@ -321,7 +327,7 @@ fn explain_prints_the_plan() {
         "takes 12 right-hand sides",
         "a closed form",
     ] {
-        assert!(printed.contains(expected), "{expected}: {printed}");
+        assert!(words.contains(expected), "{expected}: {printed}");
     }
     let row = |effect: &str| {
         let line = printed

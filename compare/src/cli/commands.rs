@@ -326,6 +326,20 @@ pub(crate) fn failure(encounter: &Encounter, reason: &NoRun) -> String {
 /// Characters in a line of a terminal.
 const TERMINAL: u16 = 80;
 
+/// A table of words, which wrap before it is wider than a terminal.
+pub(super) fn words(rows: impl Iterator<Item = Vec<String>>) -> Table {
+    let mut table = Table::new();
+    table
+        .load_preset(presets::NOTHING)
+        .set_content_arrangement(ContentArrangement::Dynamic)
+        .set_width(TERMINAL);
+    table.add_rows(rows);
+    for column in table.column_iter_mut() {
+        column.set_padding((0, 1));
+    }
+    table
+}
+
 pub(super) fn print_rows(header: &[&str], rows: impl Iterator<Item = Vec<String>>) {
     let mut table = Table::new();
     table.load_preset(presets::NOTHING).set_header(header);

@@ -9,7 +9,7 @@ use clap::Args;
 use scene::{Outcome, Plan, Run};
 
 use super::args::Arguments;
-use super::commands::print_rows;
+use super::commands::{print_rows, words};
 use crate::numbers::{rounded, size};
 use crate::scene_run::{self, SampleRow, Summary};
 use crate::streams::{complain, say};
@@ -148,31 +148,33 @@ pub(super) fn explain(
     let classes: Vec<_> = (needed.symmetry_classes().iter())
         .map(ToString::to_string)
         .collect();
-    say!("hydrodynamics   {}", file.method.title());
-    say!(
-        "state           {}: {} numbers ({})",
-        plan.state(),
-        plan.state().numbers(),
-        plan.state().variables()
-    );
-    say!("loads           {}", needed.names().join("; "));
-    say!(
-        "symmetry classes of boundary elements   {}",
-        classes.join(", ")
-    );
-    say!("");
-    let header = ["effect", "runs", "why"];
-    let mut table = comfy_table::Table::new();
-    table
-        .load_preset(comfy_table::presets::NOTHING)
-        .set_header(header);
-    table.add_rows(model.explain(&plan).into_iter().map(|row| {
+    let state = plan.state();
+    let lines = [
+        ("hydrodynamics", file.method.title().to_owned()),
+        (
+            "state",
+            format!(
+                "{state}: {} numbers ({})",
+                state.numbers(),
+                state.variables()
+            ),
+        ),
+        ("loads", needed.names().join("; ")),
+        (
+            "symmetry classes",
+            format!("of boundary elements: {}", classes.join(", ")),
+        ),
+    ];
+    let line = |(name, text): (&str, String)| vec![name.to_owned(), text];
+    say!("{}\n", words(lines.into_iter().map(line)));
+    let header = ["effect", "runs", "why"].map(str::to_owned).to_vec();
+    let rows = model.explain(&plan).into_iter().map(|row| {
         let runs = if row.runs { "yes" } else { "no" };
-        [row.effect.to_owned(), runs.to_owned(), row.reason]
-    }));
-    say!("{table}");
-    say!("");
-    say!("{}", cost_in_words(&model, &plan));
+        vec![row.effect.to_owned(), runs.to_owned(), row.reason]
+    });
+    say!("{}\n", words([header].into_iter().chain(rows)));
+    let cost = [vec![cost_in_words(&model, &plan)]];
+    say!("{}", words(cost.into_iter()));
     Ok(())
 }
 
