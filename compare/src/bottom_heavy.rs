@@ -6,6 +6,7 @@ use scene::{Configuration, Run, RunOptions, Sample, Scene, SceneError};
 use serde::{Deserialize, Serialize};
 
 use crate::maps::Pair;
+use crate::progress::Progress;
 use crate::sweep::SweepOptions;
 use crate::{Method, Model, NoRun};
 
@@ -163,6 +164,7 @@ pub fn panel_runs(
     let pairs: Vec<_> = (models.iter())
         .flat_map(|model| panels.iter().map(move |panel| (model, panel)))
         .collect();
+    let progress = Progress::of(pairs.len(), "panels");
     (pairs.into_par_iter())
         .map(|(model, panel)| {
             let late = (options.time_limit).is_some_and(|limit| started.elapsed() >= limit);
@@ -173,6 +175,7 @@ pub fn panel_runs(
                     .and_then(|scene| model.run(&scene, &run_options))
                     .map_err(|error| NoRun::Failed(error.to_string()))
             };
+            progress.advance();
             PanelRun {
                 case: panel.clone(),
                 method: model.method(),

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use scene::SceneError;
 
+use crate::interrupt;
+
 /// Exit status of a command that the time limit stopped: that for failures which go away when one tries again.
 const STOPPED: u8 = 75;
 
@@ -58,6 +60,20 @@ pub enum CompareError {
     Stopped {
         /// Runs, or lines of a map, that were left out.
         skipped: usize,
+    },
+    /// The command was interrupted in a sweep, whose finished pieces are kept.
+    #[error(
+        "interrupted: {left} of {chunks} {what} are left; the same command goes on from '{path}'"
+    )]
+    Interrupted {
+        /// Pieces that are left.
+        left: usize,
+        /// Pieces in all.
+        chunks: usize,
+        /// What the pieces are.
+        what: &'static str,
+        /// The file that keeps those finished.
+        path: PathBuf,
     },
     /// A scene file cannot be read.
     #[error("cannot read '{path}': {source}")]
@@ -117,8 +133,8 @@ impl CompareError {
         }
     }
 
-    /// Exit status of the command: 2 for bad input or a bad output place, 75 where the time limit stopped it, 1
-    /// for a failure of the computation.
+    /// Exit status of the command: 2 for bad input or a bad output place, 75 where the time limit stopped it, 130
+    /// where an interrupt did, 1 for a failure of the computation.
     #[must_use]
     pub fn exit_status(&self) -> u8 {
         match self {
@@ -130,6 +146,7 @@ impl CompareError {
             | Self::OtherSweep { .. }
             | Self::Bem(_) => 2,
             Self::Stopped { .. } => STOPPED,
+            Self::Interrupted { .. } => interrupt::STATUS,
             Self::Scene(SceneError::Stepper { .. } | SceneError::Model { .. }) => 1,
             Self::Scene(_) => 2,
             Self::Rows(_)

@@ -13,6 +13,7 @@ mod error;
 pub mod figures;
 mod full_report;
 pub mod hard_cases;
+mod interrupt;
 mod kept_rows;
 mod load_errors;
 pub mod maps;

@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+use bem::{Bem, BemError};
+use scene::Gap;
+
 /// A hydrodynamic method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Method {
@@ -33,6 +36,18 @@ impl Method {
             Self::Exact => "exact",
             Self::Bem => "bem",
             Self::Isolated => "none",
+        }
+    }
+
+    /// Refuses a gap for which the model has no answer: boundary elements of the refinement level `mesh` end at a
+    /// smallest one.
+    ///
+    /// # Errors
+    /// [`BemError::GapUnresolved`] with the level that would do; [`BemError::Level`] if there is no such level.
+    pub fn check_gap(self, mesh: usize, gap: Gap) -> Result<(), BemError> {
+        match self {
+            Self::Bem => Bem::new(mesh)?.check(gap),
+            Self::Lt | Self::LtCorrected | Self::Exact | Self::Isolated => Ok(()),
         }
     }
 

@@ -115,7 +115,7 @@ pub struct Model {
 
 impl Model {
     /// Sets up `method`: loads or builds its table unless it is to be solved directly, showing
-    /// progress on a terminal.
+    /// how far that is.
     ///
     /// # Errors
     /// [`CompareError`] if the mesh level is not allowed or a solve fails.
@@ -292,15 +292,13 @@ fn tabulate(
         tolerance,
         smallest_gap,
     };
-    let progress = Progress::counting(match method {
-        Method::Bem => "boundary elements: gaps solved",
-        _ => "exact loads: gaps solved",
+    let progress = Progress::of_table(match method {
+        Method::Bem => "boundary elements",
+        _ => "exact loads",
     });
-    let set = |done| progress.set(done);
-    let table = match &options.cache {
-        Some(folder) => Tabulated::load_or_build(model, table, folder, &set)?,
-        None => Tabulated::build(model, table, &set)?,
-    };
-    progress.finish();
-    Ok(table)
+    let follow = |table| progress.follow(table);
+    Ok(match &options.cache {
+        Some(folder) => Tabulated::load_or_build(model, table, folder, &follow)?,
+        None => Tabulated::build(model, table, &follow)?,
+    })
 }

@@ -1,4 +1,6 @@
-//! Lists of numbers on the command line: `1,2,5` and ranges `a:b:step`.
+//! Numbers as people type them and as they read them: on the command line lists `1,2,5` and ranges `a:b:step`.
+
+use std::ops::Range;
 
 /// Most numbers that one list may hold.
 const MOST: usize = 100_000;
@@ -51,21 +53,82 @@ fn number(text: &str) -> Result<f64, String> {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err(format!("'{text}' is not allowed: numbers must be finite")),
         Err(_) => Err(format!(
-            "'{text}' is not a number: give a comma list such as 1,2,5 or a range a:b:step"
+            "'{text}' is not a number: give a comma list such as 1,2,5 or a range a:b:step; decimals take a point"
         )),
     }
+}
+
+/// Parses one number, which may be infinite.
+///
+/// # Errors
+/// One line that names what is no number.
+pub(crate) fn parse_number(text: &str) -> Result<f64, String> {
+    (text.trim().parse()).map_err(|_| format!("'{text}' is not a number{}", point_hint(text)))
+}
+
+/// Parses a whole number, 0 or more.
+///
+/// # Errors
+/// One line that names what is none.
+pub(crate) fn parse_whole(text: &str) -> Result<usize, String> {
+    (text.trim().parse()).map_err(|_| format!("'{text}' is not a whole number, 0 or more"))
+}
+
+/// What to say of a number with a decimal comma, and nothing of anything else.
+pub(crate) fn point_hint(text: &str) -> String {
+    decimal_comma(text).map_or(String::new(), |at| {
+        format!(": decimals take a point, {}", text[at].replace(',', "."))
+    })
+}
+
+/// Where in `text` the first number with a decimal comma stands, such as `5,0` or `-1,5e-8`. Numbers in brackets are
+/// those of a list.
+pub(crate) fn decimal_comma(text: &str) -> Option<Range<usize>> {
+    let mut depth = 0_usize;
+    let mut begin = None;
+    // The end of the text ends a number too.
+    for (at, character) in text.char_indices().chain([(text.len(), ' ')]) {
+        let is_part = character.is_ascii_digit() || ",+-.eE".contains(character);
+        match (begin, is_part) {
+            (None, true) => begin = Some(at),
+            (Some(from), false) => {
+                let comma = (text[from..at].trim_end_matches(','))
+                    .split_once(',')
+                    .filter(|(whole, decimals)| {
+                        let starts = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
+                        let value = format!("{whole}.{decimals}").parse::<f64>();
+                        starts(whole.trim_start_matches(['+', '-']))
+                            && starts(decimals)
+                            && value.is_ok()
+                    });
+                if let (Some((whole, decimals)), 0) = (comma, depth) {
+                    return Some(from..from + whole.len() + 1 + decimals.len());
+                }
+                begin = None;
+            }
+            _ => {}
+        }
+        match character {
+            '[' => depth += 1,
+            ']' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+    }
+    None
 }
 
 fn range(from: f64, to: f64, step: f64, numbers: &mut Vec<f64>) -> Result<(), String> {
     let count = (to - from) / step;
     if !(count >= 0.0 && count.is_finite()) {
         return Err(format!(
-            "range {from}:{to}:{step} is empty: the step must lead from the first to the second number"
+            "range {} is empty: the step must lead from the first to the second number; decimals take a point",
+            [from, to, step].map(written).join(":")
         ));
     }
     if count > MOST as f64 {
         return Err(format!(
-            "range {from}:{to}:{step} holds more than {MOST} numbers"
+            "range {} holds more than {MOST} numbers",
+            [from, to, step].map(written).join(":")
         ));
     }
     // The last point may be missed by rounding only.
@@ -77,6 +140,8 @@ fn range(from: f64, to: f64, step: f64, numbers: &mut Vec<f64>) -> Result<(), St
 /// A number as a person reads it: with an exponent where it would otherwise be a row of zeros.
 #[must_use]
 pub(crate) fn written(value: f64) -> String {
+    // A zero has no sign.
+    let value = value + 0.0;
     if is_plain(value) {
         format!("{value}")
     } else {
@@ -87,11 +152,18 @@ pub(crate) fn written(value: f64) -> String {
 /// The same with a number of digits after the point.
 #[must_use]
 pub(crate) fn rounded(value: f64, digits: usize) -> String {
+    let value = value + 0.0;
     if is_plain(value) {
         format!("{value:.digits$}")
     } else {
         format!("{value:.digits$e}")
     }
+}
+
+/// An error, a bound or a time, of which no more than the size is of interest.
+#[must_use]
+pub(crate) fn size(value: f64) -> String {
+    format!("{:.1e}", value + 0.0)
 }
 
 fn is_plain(value: f64) -> bool {
@@ -136,6 +208,9 @@ mod tests {
         }
         assert_eq!(rounded(2.5e299, 3), "2.500e299");
         assert_eq!(rounded(0.25, 3), "0.250");
+        assert_eq!(rounded(-0.0, 2), "0.00");
+        assert_eq!(written(-0.0), "0");
+        assert_eq!(size(1.234e-6), "1.2e-6");
     }
 
     #[test]
@@ -154,6 +229,33 @@ mod tests {
             let error = parse_numbers(text).unwrap_err();
             assert!(error.contains("twice"), "{error}");
         }
+    }
+
+    #[test]
+    fn decimal_commas_are_told_from_those_of_lists() {
+        for (text, number) in [
+            ("5,0", "5,0"),
+            ("beta = -1,5e-8 # five", "-1,5e-8"),
+            ("{ kappa1 = 10,5, kappa2 = 100 }", "10,5"),
+            ("[1, 2] 0,1deg", "0,1"),
+        ] {
+            assert_eq!(
+                decimal_comma(text).map(|at| &text[at]),
+                Some(number),
+                "{text}"
+            );
+        }
+        for text in [
+            "", "5.0", "[1,5, 2]", "1,2,3", "a,5", "5,b", "5,", ",5", "1, 5", "-,5", "e,5",
+        ] {
+            assert_eq!(decimal_comma(text), None, "{text}");
+        }
+        assert_eq!(
+            parse_number("1,5e-8").unwrap_err(),
+            "'1,5e-8' is not a number: decimals take a point, 1.5e-8"
+        );
+        assert_eq!(parse_number("x,5").unwrap_err(), "'x,5' is not a number");
+        assert!(parse_whole("1,5").unwrap_err().contains("whole number"));
     }
 
     #[test]

@@ -9,7 +9,9 @@ use std::io::{BufWriter, Write};
 use scene::{Configuration, Plan, Run, RunOptions, Sample};
 use serde::Serialize;
 
+use crate::interrupt::Leaving;
 use crate::output::OutputFolder;
+use crate::progress::Progress;
 use crate::{CompareError, Method, Model};
 
 /// File of the trajectory.
@@ -206,7 +208,10 @@ pub fn stream(
         csv::Writer::from_writer(BufWriter::new(File::create(&partial).map_err(failed)?));
     let mut rows = Vec::new();
     let mut written = Ok(());
+    let _leaving = Leaving::of(format!("finished rows are in '{}'", partial.display()));
+    let progress = Progress::of_run(options.end_time);
     let run = model.run_observed(plan, options, &mut |sample| {
+        progress.reach(sample.t);
         let row = SampleRow::from(sample);
         rows.push(row);
         if written.is_ok() {

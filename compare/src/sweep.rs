@@ -26,7 +26,7 @@ pub fn encounters(models: &[Model], cases: &[Case], options: &SweepOptions) -> V
     let pairs: Vec<_> = (models.iter())
         .flat_map(|model| cases.iter().map(move |case| (model, case)))
         .collect();
-    let encounters = pairs
+    pairs
         .into_par_iter()
         .map(|(model, case)| {
             let late = (options.time_limit).is_some_and(|limit| started.elapsed() >= limit);
@@ -38,9 +38,7 @@ pub fn encounters(models: &[Model], cases: &[Case], options: &SweepOptions) -> V
             progress.advance();
             encounter
         })
-        .collect();
-    progress.finish();
-    encounters
+        .collect()
 }
 
 pub(crate) fn skipped(model: &Model, case: &Case) -> Encounter {

@@ -488,18 +488,53 @@ fn a_cache_that_is_no_folder_is_refused() {
 }
 
 #[test]
-fn a_scene_below_the_smallest_gap_of_its_model_is_bad_input() {
-    let folder = tempfile::tempdir().unwrap();
-    let scene = folder.path().join("near.toml");
-    let squirmer =
-        |x: f64| format!("[[squirmer]]\nposition = [{x:?}, 0.0]\norientation = 0.0\nbeta = 1.0\n");
-    let text = format!(
-        "hydrodynamics = \"bem\"\n{}{}",
-        squirmer(0.0),
-        squirmer(2.0001)
+fn help_is_printed_however_it_is_asked_for() {
+    let printed = |arguments: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_squirmers"))
+            .args(arguments)
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{arguments:?}: {output:?}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let all = printed(&["--help"]);
+    for arguments in [&["help"][..], &["help", "--help"], &["help", "-h"]] {
+        assert_eq!(printed(arguments), all, "{arguments:?}");
+    }
+    let of_run = printed(&["run", "--help"]);
+    for arguments in [&["help", "run"][..], &["help", "run", "--help"]] {
+        assert_eq!(printed(arguments), of_run, "{arguments:?}");
+    }
+    refused(&["help", "nonsense"], "nonsense");
+}
+
+#[test]
+fn decimal_commas_are_refused_with_the_point_that_they_stand_for() {
+    for option in ["--tol", "--departure", "--time-limit"] {
+        refused(&["head-on", option, "1,5"], "decimals take a point, 1.5");
+    }
+    refused(
+        &["cost", "--target", "0,1deg"],
+        "decimals take a point, 0.1",
     );
-    std::fs::write(&scene, text).unwrap();
-    refused(&["run", scene.to_str().unwrap()], "squirmer[1].position");
+    refused(&["loads", "--gap", "0,1"], "decimals take a point");
+    refused(
+        &["head-on", "--dx", "0:1:0,5"],
+        "range 0:1:0 is empty: the step must lead from the first to the second number; decimals take a point",
+    );
+}
+
+#[test]
+fn counts_that_are_none_are_named_in_words() {
+    for (arguments, value) in [
+        (&["scatter", "--grid"][..], "1.5"),
+        (&["loads", "--gap", "1", "--modes"], "-1"),
+        (&["loads", "--gap", "1", "--swirl"], "x"),
+        (&["loads", "--gap", "1", "--threads"], "2,0"),
+    ] {
+        let named = format!("'{value}' is not a whole number");
+        refused(&[arguments, &[value]].concat(), &named);
+    }
 }
 
 #[test]

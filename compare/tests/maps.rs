@@ -294,6 +294,35 @@ fn a_map_that_is_killed_loses_at_most_the_lines_under_way() {
 }
 
 #[test]
+fn bound_states_that_one_model_lacks_are_printed_with_whole_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let method = "lt-corrected,exact";
+    let trust = ["trust", "--beta", "5", "--grid", "4", "--method", method];
+    let output = squirmers(folder.path(), &trust);
+    assert!(output.status.success(), "{output:?}");
+    let printed = String::from_utf8(output.stdout).unwrap();
+    let examples = csv_rows(&text(folder.path(), "trust-examples.csv"));
+    assert!(!examples.is_empty());
+    for line in printed.lines() {
+        assert!(line.chars().count() <= 80, "{line}");
+    }
+    for row in examples {
+        let [judged, its, exact] = [0, 2, 3].map(|column| row[column].to_owned());
+        let is_whole = |line: &&str| {
+            let words: Vec<_> = line.split_whitespace().collect();
+            words.starts_with(&[&judged, "5", &its, &exact])
+        };
+        assert!(printed.lines().any(|line| is_whole(&line)), "{printed}");
+    }
+}
+
+/// The rows of CSV text.
+fn csv_rows(text: &str) -> Vec<csv::StringRecord> {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    reader.records().map(Result::unwrap).collect()
+}
+
+#[test]
 fn values_that_are_not_allowed_are_named() {
     for (arguments, named) in [
         (&["scatter", "--grid", "1"][..], "'1'"),

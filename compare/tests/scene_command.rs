@@ -230,6 +230,59 @@ fn many_mistakes_are_counted_and_the_first_are_listed_within_seconds() {
 }
 
 #[test]
+fn a_start_below_the_smallest_gap_of_the_model_is_a_mistake_with_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("near.toml");
+    let squirmer =
+        |x: f64| format!("[[squirmer]]\nposition = [{x:?}, 0.0]\norientation = 0.0\nbeta = 1.0\n");
+    let near = squirmer(0.0) + &squirmer(2.0001);
+    std::fs::write(&file, format!("hydrodynamics = \"bem\"\n{near}")).unwrap();
+    let out = folder.path().join("out");
+    for command in ["run", "explain"] {
+        let output = squirmers(command, &file, &out, &[]);
+        let message = text(output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(
+            message
+                .contains("7:12: squirmer[1].position: found [2.0001, 0.0]; the start is too near"),
+            "{message}"
+        );
+        assert!(files(&out).is_empty());
+    }
+}
+
+/// The most digits that a number has in some text, without its exponent.
+fn most_digits(text: &str) -> usize {
+    (text.split(|c: char| !(c.is_ascii_digit() || c == '.')))
+        .map(|number| number.chars().filter(char::is_ascii_digit).count())
+        .max()
+        .unwrap_or(0)
+}
+
+#[test]
+fn what_is_printed_fits_a_terminal_and_has_no_more_digits_than_a_person_reads() {
+    let folder = tempfile::tempdir().unwrap();
+    // One and a half times this is not what rounding makes of it.
+    let rounds = folder.path().join("rounds.toml");
+    let start = std::fs::read_to_string(scene("fig6-head-on-dx1")).unwrap();
+    std::fs::write(&rounds, start.replace("beta = 5.0", "beta = 0.1")).unwrap();
+    for file in [scene("fig6-head-on-dx1"), scene("fig8e-downward"), rounds] {
+        for command in ["run", "explain"] {
+            let output = squirmers(command, &file, folder.path(), &[]);
+            assert!(output.status.success());
+            let printed = text(output.stdout);
+            let file = file.display();
+            assert!(most_digits(&printed) <= 9, "{command} {file}:\n{printed}");
+            let is_narrow = |line: &str| line.chars().count() <= 80;
+            assert!(
+                printed.lines().all(is_narrow),
+                "{command} {file}:\n{printed}"
+            );
+        }
+    }
+}
+
+#[test]
 fn mistakes_are_listed_with_their_places_and_nothing_is_written() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("typo.toml");
@@ -265,6 +318,7 @@ fn explain_prints_the_plan() {
     let output = squirmers("explain", &scene("fig8e-downward"), folder.path(), &[]);
     assert!(output.status.success());
     let printed = text(output.stdout);
+    let words = printed.split_whitespace().collect::<Vec<_>>().join(" ");
     for expected in [
         "mirror-symmetric: 3 numbers",
         "Y11A + Y12A",
@@ -273,7 +327,7 @@ fn explain_prints_the_plan() {
         "takes 12 right-hand sides",
         "a closed form",
     ] {
-        assert!(printed.contains(expected), "{expected}: {printed}");
+        assert!(words.contains(expected), "{expected}: {printed}");
     }
     let row = |effect: &str| {
         let line = printed

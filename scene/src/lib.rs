@@ -42,4 +42,4 @@ pub use plan::{NeededLoads, Parities, Plan, PlanRow, State, SymmetryClass};
 pub use scene::{Orientation, Pose, Scene};
 pub use squirmer::Squirmer;
 pub use swirl::{SwirlLoads, SwirlModeLoads};
-pub use tabulated::{FAR_GAP, TableLimit, TableOptions, TableSummary, Tabulated};
+pub use tabulated::{BuildProgress, FAR_GAP, TableLimit, TableOptions, TableSummary, Tabulated};

@@ -7,7 +7,7 @@ use clap::{Args, Parser, Subcommand};
 use super::cost::CostArguments;
 use super::maps::{self, MapArguments, TrustArguments};
 use super::scene;
-use crate::numbers::{Numbers, parse_numbers};
+use crate::numbers::{Numbers, parse_number, parse_numbers, parse_whole};
 use crate::output::OutputFolder;
 use crate::{CompareError, Method};
 
@@ -23,7 +23,9 @@ use crate::{CompareError, Method};
     subcommand_required = true,
     after_help = "Example:\n  squirmers report --out out      every comparison, as one web page\n\n\
         Exit status: 0 done; 1 a run failed or a bound is broken; 2 bad input or output place;\n\
-        75 stopped by --time-limit, to be gone on with by the same command; 130 interrupted"
+        75 stopped by --time-limit, to be gone on with by the same command; 130 interrupted.\n\n\
+        Interrupts (Ctrl-C): maps and sweeps finish the pieces under way and keep them, and the same\n\
+        command goes on with the rest; a second interrupt ends at once."
 )]
 pub(crate) struct Arguments {
     #[command(subcommand)]
@@ -35,7 +37,7 @@ pub(crate) struct Arguments {
     #[arg(long, global = true)]
     pub fresh: bool,
     /// Threads to use [default: all]
-    #[arg(long, global = true, value_name = "N")]
+    #[arg(long, global = true, value_name = "N", value_parser = parse_whole, allow_hyphen_values = true)]
     pub threads: Option<usize>,
     /// Folder in which tables are kept for the next run [default: the user's cache folder]
     #[arg(long, global = true, value_name = "DIR")]
@@ -61,10 +63,10 @@ pub(crate) enum Command {
         #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
         gap: Numbers,
         /// Squirming modes, 1 to this
-        #[arg(long, value_name = "N", default_value_t = 2)]
+        #[arg(long, value_name = "N", default_value_t = 2, value_parser = parse_whole, allow_hyphen_values = true)]
         modes: usize,
         /// Swirl modes, 1 to this
-        #[arg(long, value_name = "N", default_value_t = 0)]
+        #[arg(long, value_name = "N", default_value_t = 0, value_parser = parse_whole, allow_hyphen_values = true)]
         swirl: usize,
         #[command(flatten)]
         models: ModelArguments,
@@ -171,6 +173,7 @@ pub(crate) struct RunArguments {
         long,
         value_name = "TOL",
         default_value_t = 1e-8,
+        value_parser = parse_number,
         allow_hyphen_values = true
     )]
     pub tol: f64,
@@ -180,12 +183,13 @@ pub(crate) struct RunArguments {
         long,
         value_name = "R|inf",
         default_value_t = f64::INFINITY,
+        value_parser = parse_number,
         allow_hyphen_values = true
     )]
     pub departure: f64,
     /// Begin no further run after this time; those left out are reported, and the same command goes on (exit
     /// status 75)
-    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SECONDS", value_parser = parse_number, allow_hyphen_values = true)]
     pub time_limit: Option<f64>,
 }
 

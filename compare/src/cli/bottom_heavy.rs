@@ -4,6 +4,7 @@ use super::args::{Arguments, ModelArguments, RunArguments};
 use super::commands::{model_options, print_rows, set_up, sweep_options};
 use super::maps::METHODS;
 use crate::bottom_heavy::{PanelCase, PanelRun, panel_runs};
+use crate::numbers::{rounded, written};
 use crate::output::{OutputFolder, csv_text};
 use crate::streams::complain;
 use crate::{CompareError, Defaults, NoRun, pictures};
@@ -73,13 +74,13 @@ fn print(runs: &[PanelRun]) {
             vec![
                 row.panel,
                 row.method.to_owned(),
-                row.beta.to_string(),
-                row.g.to_string(),
-                row.delta.to_string(),
-                row.sigma.to_string(),
+                written(row.beta),
+                written(row.g),
+                written(row.delta),
+                written(row.sigma),
                 row.outcome,
-                format!("{:.5}", row.min_gap),
-                format!("{:.3}", row.depth_ratio),
+                rounded(row.min_gap, 5),
+                rounded(row.depth_ratio, 3),
             ]
         }),
     );

@@ -12,6 +12,7 @@ use crate::cost::{
     self, CostOptions, CostRow, Finding, Part, Recommendation, findings, parse_target, recommend,
 };
 use crate::figures::{deflections_work_precision, loads_work_precision};
+use crate::numbers::{rounded, size, written};
 use crate::output::csv_text;
 use crate::progress::Progress;
 use crate::streams::{say, write_out};
@@ -47,9 +48,9 @@ pub(super) fn run(
     let options = CostOptions {
         quick: arguments.quick,
     };
-    let progress = Progress::of(cost::STAGES, "cost");
+    let progress = Progress::of_unlike(cost::STAGES, "parts of the cost");
     let rows = cost::measure(&options, &|| progress.advance())?;
-    progress.finish();
+    drop(progress);
     let csv = csv_text(&rows)?;
     out.write("cost.csv", &csv)?;
     // Pictures show what the file says, and nothing else.
@@ -99,10 +100,10 @@ fn print_recommendations(recommended: &[Recommendation]) {
             vec![
                 row.case.clone(),
                 row.model.clone(),
-                format!("{:.0e}", row.tolerance),
-                format!("{:.1e}", row.error_deg),
-                format!("{:.1e}", row.seconds),
-                format!("{:.1e}", row.set_up_seconds),
+                written(row.tolerance),
+                size(row.error_deg),
+                size(row.seconds),
+                size(row.set_up_seconds),
                 row.model_for_one.clone(),
             ]
         }),
@@ -115,8 +116,8 @@ fn print_findings(findings: &[Finding]) {
         &header,
         findings.iter().map(|found| {
             let value = match found.value.abs() {
-                v if !(1e-2..1e4).contains(&v) => format!("{:.1e}", found.value),
-                _ => format!("{:.2}", found.value),
+                v if !(1e-2..1e4).contains(&v) => size(found.value),
+                _ => rounded(found.value, 2),
             };
             let unit = found.unit.to_owned();
             vec![found.finding.clone(), found.of.clone(), value, unit]

@@ -1,9 +1,11 @@
 //! The command for numerically hard cases.
 
-use comfy_table::{Table, presets};
+use comfy_table::Table;
 
 use super::args::Arguments;
+use super::commands::words;
 use crate::hard_cases::{Bench, GROUPS, Group, HardCaseRow, all_rows};
+use crate::numbers::size;
 use crate::output::csv_text;
 use crate::streams::say;
 use crate::{CompareError, ModelOptions};
@@ -29,18 +31,51 @@ pub(super) fn run(general: &Arguments) -> Result<(), CompareError> {
 }
 
 fn print<'a>(group: &Group, rows: impl Iterator<Item = &'a HardCaseRow>) {
-    say!("{}: {}", group.name, group.hazard);
-    let mut table = Table::new();
-    table.load_preset(presets::NOTHING);
-    table.set_header(["method", "measure", "bound", "value", "holds"]);
-    table.add_rows(rows.map(|row| {
-        [
+    say!(
+        "{}",
+        words([vec![format!("{}: {}", group.name, group.hazard)]].into_iter())
+    );
+    say!("{}\n", table(rows));
+}
+
+fn table<'a>(rows: impl Iterator<Item = &'a HardCaseRow>) -> Table {
+    let header = ["method", "measure", "bound", "value", "holds"].map(str::to_owned);
+    let rows = rows.map(|row| {
+        vec![
             row.method.to_owned(),
             row.measure.clone(),
-            format!("{:.1e}", row.bound),
-            format!("{:.1e}", row.value),
+            size(row.bound),
+            size(row.value),
             if row.holds { "yes" } else { "NO" }.to_owned(),
         ]
-    }));
-    say!("{table}\n");
+    });
+    words([header.to_vec()].into_iter().chain(rows))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_measures_wrap_and_numbers_stay_whole() {
+        let row = HardCaseRow {
+            case: "separatrix",
+            hazard: "the tolerance decides the outcome",
+            method: "lt-corrected",
+            measure: "beta 5, Sigma 0.5: shift in Delta of the line between scattered and bound, tolerance 1e-8"
+                .to_owned(),
+            bound: 1.5e-8,
+            bound_from: "",
+            value: -2.5e-11,
+            holds: true,
+        };
+        let text = table([row].iter()).to_string();
+        assert!(
+            text.lines().all(|line| line.chars().count() <= 80),
+            "{text}"
+        );
+        for whole in ["lt-corrected", "1.5e-8", "-2.5e-11", "yes"] {
+            assert!(text.contains(whole), "{text}");
+        }
+    }
 }

@@ -7,8 +7,9 @@ use serde::Serialize;
 use super::args::{Arguments, ModelArguments};
 use super::commands::{model_options, print_rows};
 use super::many::{PRINTED, print_rest};
-use crate::numbers::{rounded, written};
+use crate::numbers::{rounded, size, written};
 use crate::output::{OutputFolder, csv_text};
+use crate::progress::Progress;
 use crate::{CompareError, Method, Model, ModelOptions, Numbers};
 
 /// Gaps up to which every load is solved for: a table would take longer.
@@ -42,7 +43,7 @@ pub(super) fn run(
     let gaps: Vec<_> = (gaps.0.iter())
         .map(|&eps| {
             Gap::new(eps).map_err(|_| {
-                let allowed = "gaps must be greater than 0 and finite";
+                let allowed = "gaps must be greater than 0 and finite (commas part them, decimals take a point)";
                 CompareError::input("--gap", format!("{eps:?}"), allowed)
             })
         })
@@ -53,14 +54,16 @@ pub(super) fn run(
     for &method in &methods {
         check_range(method, &options, &gaps)?;
         let at = estimator(method, set, &options)?;
+        let progress = Progress::of(gaps.len(), "gaps");
         for &gap in &gaps {
             rows.extend(at(gap)?.into_iter().map(|(name, value, error)| LoadRow {
                 method: method.name(),
                 gap: gap.eps(),
                 name,
                 value,
-                error_estimate: error.map_or("none".to_owned(), |error| format!("{error:.1e}")),
+                error_estimate: error.map_or("none".to_owned(), size),
             }));
+            progress.advance();
         }
     }
     out.write("loads.csv", &csv_text(&rows)?)?;
@@ -111,11 +114,10 @@ fn estimator(
 
 /// Refuses a gap that the method cannot answer for before anything is computed.
 fn check_range(method: Method, options: &ModelOptions, gaps: &[Gap]) -> Result<(), CompareError> {
-    if method == Method::Bem {
-        let bem = Bem::new(options.mesh)?;
-        for &gap in gaps {
-            bem.check(gap)?;
-        }
+    for &gap in gaps {
+        method.check_gap(options.mesh, gap).map_err(|error| {
+            CompareError::input("--gap", format!("{:?}", gap.eps()), error.to_string())
+        })?;
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ use clap::{Arg, Args};
 use super::args::{Arguments, ModelArguments, RunArguments};
 use super::commands::{model_options, print_rows, set_up, sweep_options};
 use crate::maps::{self, BoundExample, FateRow, Grid, Maps, Pair, TrustShares};
-use crate::numbers::{Numbers, parse_numbers};
+use crate::numbers::{Numbers, parse_numbers, parse_whole, rounded, written};
 use crate::output::{OutputFolder, csv_text};
 use crate::pictures::{self, Picture};
 use crate::streams::say;
@@ -30,6 +30,7 @@ pub(crate) struct MapArguments {
         long,
         value_name = "N",
         default_value_t = 100,
+        value_parser = parse_whole,
         allow_hyphen_values = true
     )]
     pub grid: usize,
@@ -187,7 +188,8 @@ pub(super) fn trust(arguments: &TrustArguments, general: &Arguments) -> Result<(
     run.out.account().verdict()
 }
 
-/// Which bound states one model has and the other has not.
+/// Which bound states one model has and the other has not; how fast they grow is in the file alone, for names of
+/// outcomes would not fit beside it.
 fn print_examples(examples: &[BoundExample]) {
     let header = [
         "judged",
@@ -198,21 +200,19 @@ fn print_examples(examples: &[BoundExample]) {
         "Delta",
         "Sigma",
         "the other has it",
-        "gap",
-        "growth",
+        "gap [a]",
     ];
     let line = |row: &BoundExample| {
         vec![
             row.method.clone(),
-            row.beta.to_string(),
+            written(row.beta),
             row.outcome_lt.clone(),
             row.outcome_exact.clone(),
             percent(row.share),
-            format!("{:.3}", row.delta),
-            format!("{:.3}", row.sigma),
+            rounded(row.delta, 3),
+            rounded(row.sigma, 3),
             row.state.to_owned(),
-            format!("{:.4}", row.gap),
-            format!("{:.3}", row.growth),
+            rounded(row.gap, 3),
         ]
     };
     print_rows(&header, examples.iter().map(line));
@@ -237,7 +237,7 @@ fn print_fates(rows: &[FateRow]) {
     let header = ["%", "beta", "g"].into_iter();
     let header: Vec<_> = header.chain(occur.iter().map(|(name, _)| *name)).collect();
     let line = |row: &FateRow| {
-        let place = [row.method.clone(), row.beta.to_string(), row.g.to_string()];
+        let place = [row.method.clone(), written(row.beta), written(row.g)];
         let shares = occur.iter().map(|(_, share)| percent(share(row)));
         place.into_iter().chain(shares).collect()
     };
@@ -248,7 +248,7 @@ fn print_trust(shares: &[TrustShares]) {
     let mut header = vec!["%", "beta", "g", "dz"];
     header.extend(maps::TRUST_CLASSES);
     let line = |row: &TrustShares| {
-        let numbers = [row.beta, row.g, row.dz].map(|number| number.to_string());
+        let numbers = [row.beta, row.g, row.dz].map(written);
         let mut line = vec![row.method.clone()];
         line.extend(numbers);
         line.extend(row.in_order().map(percent));

@@ -17,23 +17,25 @@ use clap::Parser;
 use clap::error::ErrorKind;
 
 use crate::CompareError;
+use crate::interrupt;
 use crate::streams::{complain, refused, write_out};
 use args::Arguments;
 
 /// Runs the command line `arguments` (the program's name first).
 ///
 /// Exit status 0 on success, 1 if a run failed or a bound is broken, 2 for bad input or a bad output place, 75 if
-/// the time limit stopped the command; each prints one line on standard error.
+/// the time limit stopped the command, 130 if it was interrupted; each prints one line on standard error.
 pub fn run<I, T>(arguments: I) -> ExitCode
 where
     I: IntoIterator<Item = T>,
     T: Into<OsString> + Clone,
 {
-    let arguments: Vec<OsString> = arguments.into_iter().map(Into::into).collect();
+    let arguments = without_help_on_help(arguments.into_iter().map(Into::into).collect());
     let parsed = match Arguments::try_parse_from(&arguments) {
         Ok(parsed) => parsed,
         Err(error) => return refuse(&error),
     };
+    interrupt::listen();
     let typed: Vec<_> = (arguments.iter().skip(1))
         .map(|argument| argument.to_string_lossy().into_owned())
         .collect();
@@ -43,11 +45,23 @@ where
     ended(done.and_then(|()| refused()))
 }
 
+/// The command `help` knows no options; `--help` beside it asks for what it prints anyway.
+fn without_help_on_help(mut arguments: Vec<OsString>) -> Vec<OsString> {
+    if arguments.get(1).is_some_and(|command| command == "help") {
+        arguments.retain(|argument| argument != "--help" && argument != "-h");
+    }
+    arguments
+}
+
 fn ended(done: Result<(), CompareError>) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            complain!("error: {error}");
+            match error {
+                // What was asked for is no mistake.
+                CompareError::Interrupted { .. } => complain!("{error}"),
+                _ => complain!("error: {error}"),
+            }
             ExitCode::from(error.exit_status())
         }
     }

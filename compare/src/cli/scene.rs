@@ -9,10 +9,11 @@ use clap::Args;
 use scene::{Outcome, Plan, Run};
 
 use super::args::Arguments;
-use super::commands::print_rows;
+use super::commands::{print_rows, words};
+use crate::numbers::{rounded, size};
 use crate::scene_run::{self, SampleRow, Summary};
 use crate::streams::{complain, say};
-use crate::{CompareError, Method, Model, ModelOptions, SceneFile};
+use crate::{CompareError, Model, ModelOptions, SceneFile};
 
 /// Longest scene file, in bytes.
 const LONGEST_FILE: u64 = 1 << 20;
@@ -62,25 +63,9 @@ fn set_up(file: &SceneFile, plan: &Plan, general: &Arguments) -> Result<Model, C
     Model::set_up(file.method, &file.model_options(plan, options))
 }
 
-/// Refuses a start at which the model of the scene has no answer.
-fn check_start(file: &SceneFile, plan: &Plan) -> Result<(), CompareError> {
-    if file.method != Method::Bem {
-        return Ok(());
-    }
-    let level = file.model_options(plan, ModelOptions::default()).mesh;
-    bem::Bem::new(level)?
-        .check(plan.start().gap)
-        .map_err(|error| {
-            let gap = plan.start().gap.eps();
-            let allowed = format!("the start is too near: {error}");
-            CompareError::input("squirmer[1].position", format!("gap {gap:?}"), allowed)
-        })
-}
-
 pub(super) fn run(arguments: &RunArguments, general: &Arguments) -> Result<(), CompareError> {
     let file = read(&arguments.file)?;
     let plan = Plan::new(&file.scene)?;
-    check_start(&file, &plan)?;
     let out = general.output()?;
     let model = set_up(&file, &plan, general)?;
     let started = Instant::now();
@@ -110,25 +95,19 @@ pub(super) fn run(arguments: &RunArguments, general: &Arguments) -> Result<(), C
 fn print_summary(summary: &Summary, run: &Run, rows: &[SampleRow]) {
     let mut lines = vec![
         ["outcome".to_owned(), summary.outcome.clone()],
-        [
-            "end time [a/V_s]".to_owned(),
-            format!("{}", summary.end_time),
-        ],
-        [
-            "smallest gap [a]".to_owned(),
-            format!("{:e}", summary.min_gap),
-        ],
+        ["end time [a/V_s]".to_owned(), rounded(summary.end_time, 6)],
+        ["smallest gap [a]".to_owned(), rounded(summary.min_gap, 6)],
         [
             "time at gaps up to 1".to_owned(),
-            format!("{:.6}", summary.contact_time),
+            rounded(summary.contact_time, 6),
         ],
         [
             "deflection 1 [deg]".to_owned(),
-            format!("{:.6}", summary.deflection1_deg),
+            rounded(summary.deflection1_deg, 6),
         ],
         [
             "deflection 2 [deg]".to_owned(),
-            format!("{:.6}", summary.deflection2_deg),
+            rounded(summary.deflection2_deg, 6),
         ],
         ["method".to_owned(), summary.method.to_owned()],
         [
@@ -147,13 +126,13 @@ fn print_summary(summary: &Summary, run: &Run, rows: &[SampleRow]) {
         lines.push([
             "ended at gap [a]".to_owned(),
             format!(
-                "{:e}, the smallest that the model resolves",
-                run.end.gap.eps()
+                "{}, the smallest that the model resolves",
+                rounded(run.end.gap.eps(), 6)
             ),
         ]);
     }
     if let Some(settled) = run.settled {
-        lines.push(["steady from t =".to_owned(), format!("{settled:.4}")]);
+        lines.push(["steady from t =".to_owned(), rounded(settled, 4)]);
     }
     print_rows(&["", ""], lines.into_iter().map(Vec::from));
 }
@@ -169,31 +148,33 @@ pub(super) fn explain(
     let classes: Vec<_> = (needed.symmetry_classes().iter())
         .map(ToString::to_string)
         .collect();
-    say!("hydrodynamics   {}", file.method.title());
-    say!(
-        "state           {}: {} numbers ({})",
-        plan.state(),
-        plan.state().numbers(),
-        plan.state().variables()
-    );
-    say!("loads           {}", needed.names().join("; "));
-    say!(
-        "symmetry classes of boundary elements   {}",
-        classes.join(", ")
-    );
-    say!("");
-    let header = ["effect", "runs", "why"];
-    let mut table = comfy_table::Table::new();
-    table
-        .load_preset(comfy_table::presets::NOTHING)
-        .set_header(header);
-    table.add_rows(model.explain(&plan).into_iter().map(|row| {
+    let state = plan.state();
+    let lines = [
+        ("hydrodynamics", file.method.title().to_owned()),
+        (
+            "state",
+            format!(
+                "{state}: {} numbers ({})",
+                state.numbers(),
+                state.variables()
+            ),
+        ),
+        ("loads", needed.names().join("; ")),
+        (
+            "symmetry classes",
+            format!("of boundary elements: {}", classes.join(", ")),
+        ),
+    ];
+    let line = |(name, text): (&str, String)| vec![name.to_owned(), text];
+    say!("{}\n", words(lines.into_iter().map(line)));
+    let header = ["effect", "runs", "why"].map(str::to_owned).to_vec();
+    let rows = model.explain(&plan).into_iter().map(|row| {
         let runs = if row.runs { "yes" } else { "no" };
-        [row.effect.to_owned(), runs.to_owned(), row.reason]
-    }));
-    say!("{table}");
-    say!("");
-    say!("{}", cost_in_words(&model, &plan));
+        vec![row.effect.to_owned(), runs.to_owned(), row.reason]
+    });
+    say!("{}\n", words([header].into_iter().chain(rows)));
+    let cost = [vec![cost_in_words(&model, &plan)]];
+    say!("{}", words(cost.into_iter()));
     Ok(())
 }
 
@@ -203,10 +184,10 @@ fn cost_in_words(model: &Model, plan: &Plan) -> String {
     match model.table() {
         Some(table) => format!(
             "{stages}, which read {} columns of a table. The table is the price: {} solves of the model, to an \
-             interpolation error of {:.1e}. It is kept for other scenes that read the same loads.",
+             interpolation error of {}. It is kept for other scenes that read the same loads.",
             plan.load_set().column_count(),
             table.evaluations,
-            table.interpolation_error
+            size(table.interpolation_error)
         ),
         None if model.is_direct() => format!("{stages}, each of which solves the model once."),
         None => format!("{stages}, each of which evaluates a closed form."),

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::{CostRow, Part};
 use crate::CompareError;
+use crate::numbers::point_hint;
 
 /// The cheapest way to the target in one case; NaN and `none` where nothing that was measured reaches
 /// it. The orders of the columns are those of `cost-target.csv`.
@@ -75,7 +76,10 @@ pub(crate) fn parse_target(text: &str) -> Result<f64, CompareError> {
         _ => Err(CompareError::input(
             "--target",
             text,
-            "give an angle greater than 0 in degrees, such as 0.1deg",
+            format!(
+                "give an angle greater than 0 in degrees, such as 0.1deg{}",
+                point_hint(text)
+            ),
         )),
     }
 }

@@ -102,9 +102,9 @@ fn build(
         tolerance,
         smallest_gap,
     };
-    let progress = Progress::counting("tables: gaps solved");
-    let table = Tabulated::build(model, options, &|done| progress.set(done))?;
-    progress.finish();
+    let progress = Progress::of_table("a table to measure");
+    let table = Tabulated::build(model, options, &|table| progress.follow(table))?;
+    drop(progress);
     let name = match level {
         0 => "exact-table".to_owned(),
         level => format!("bem-{level}-table"),

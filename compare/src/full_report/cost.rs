@@ -82,8 +82,7 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CompareError> {
 
 /// The rows of a quick measurement.
 fn measured() -> Result<String, CompareError> {
-    let progress = Progress::of(cost::STAGES, "cost");
+    let progress = Progress::of_unlike(cost::STAGES, "parts of the cost");
     let rows = cost::measure(&CostOptions { quick: true }, &|| progress.advance())?;
-    progress.finish();
     csv_text(&rows)
 }

@@ -23,6 +23,7 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use scene::RunOptions;
 
+use crate::progress::Progress;
 use crate::{CompareError, Method, Model, ModelOptions};
 pub use rows::{HardCaseRow, Rows};
 
@@ -142,10 +143,12 @@ pub const GROUPS: [Group; 10] = [
 #[must_use]
 pub fn all_rows(bench: &Bench) -> Vec<HardCaseRow> {
     let next = AtomicUsize::new(0);
+    let progress = Progress::of_unlike(GROUPS.len(), "groups of hard cases");
     let work = || {
         let mut done = Vec::new();
         while let Some(group) = GROUPS.get(next.fetch_add(1, Relaxed)) {
             done.push((group.name, group.rows(bench)));
+            progress.advance();
         }
         done
     };

@@ -16,6 +16,7 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 
 use crate::CompareError;
+use crate::interrupt::{self, Keeping};
 use crate::output::{OutputFolder, part_of};
 use crate::progress::Progress;
 use crate::streams::complain;
@@ -164,6 +165,9 @@ impl Journal {
 
     /// Computes, in parallel, those of the chunks `0..chunks` that are not finished already, and keeps them; how
     /// many the time limit left out.
+    ///
+    /// # Errors
+    /// [`CompareError::Interrupted`] if there was an interrupt; [`CompareError::Write`]; those of `compute`.
     pub(crate) fn run(
         &self,
         chunks: usize,
@@ -174,11 +178,13 @@ impl Journal {
         let started = Instant::now();
         let pending: Vec<usize> = (0..chunks).filter(|&chunk| !self.has(chunk)).collect();
         let progress = Progress::of(pending.len(), what);
+        let _keeping = Keeping::begin();
         let left = (pending.into_par_iter())
             // Chunks differ in price: each thread takes the next one.
             .with_max_len(1)
-            .map(|chunk| {
-                if time_limit.is_some_and(|limit| started.elapsed() >= limit) {
+            .map(|chunk| -> Result<usize, CompareError> {
+                let late = time_limit.is_some_and(|limit| started.elapsed() >= limit);
+                if late || interrupt::requested() {
                     return Ok(1);
                 }
                 let lines = compute(chunk)?;
@@ -186,9 +192,17 @@ impl Journal {
                 progress.advance();
                 Ok(0)
             })
-            .try_reduce(|| 0, |a, b| Ok(a + b));
-        progress.finish();
-        left
+            .try_reduce(|| 0, |a, b| Ok(a + b))?;
+        if interrupt::requested() {
+            let path = self.path.clone();
+            return Err(CompareError::Interrupted {
+                left,
+                chunks,
+                what,
+                path,
+            });
+        }
+        Ok(left)
     }
 }
 

@@ -4,8 +4,13 @@ use std::collections::HashSet;
 use std::fmt;
 use std::ops::Range;
 
+use crate::numbers::{decimal_comma, point_hint};
+
 /// Longest piece of the file that a mistake quotes, in characters.
 const QUOTED: usize = 40;
+
+/// Longest piece of a line that is looked at where the file is not TOML, in bytes or characters.
+const SEARCHED: usize = 1000;
 
 /// Edits up to which a key counts as misspelt.
 const MISSPELT: usize = 3;
@@ -33,6 +38,13 @@ impl fmt::Display for Mistake {
         }
         write!(f, "found {}; {}", self.found, self.allowed)
     }
+}
+
+/// What a piece of the file that is wrong may mean as a number: what is in a string, and a list with commas of both
+/// kinds, as in `[0,5, 1,5]`.
+fn in_doubt(found: &str) -> &str {
+    let list = (found.strip_prefix('[')).filter(|list| list.contains(", "));
+    list.or(found.strip_prefix('"')).unwrap_or_default()
 }
 
 /// Mistakes that are listed; of more, the number is told.
@@ -75,7 +87,36 @@ impl<'t> Notes<'t> {
     /// A mistake about what stands at `span`.
     pub(super) fn wrong(&mut self, span: Range<usize>, key: &str, allowed: impl Into<String>) {
         let found = self.quote(span.clone());
-        self.note(span, key, found, allowed.into());
+        let hint = point_hint(in_doubt(&found));
+        self.note(span, key, found, format!("{}{hint}", allowed.into()));
+    }
+
+    /// A mistake about a number with a decimal comma on the line of `span`, if there is one: whether there is.
+    pub(super) fn note_decimal_comma(&mut self, span: Range<usize>) -> bool {
+        // Of more mistakes nobody sees more than the number.
+        if self.count() >= LISTED {
+            return false;
+        }
+        let text = self.text;
+        let (before, after) = (text.get(..span.start), text.get(span.start..));
+        let (Some(before), Some(after)) = (before, after) else {
+            return false;
+        };
+        let begin = before.rfind('\n').map_or(0, |at| at + 1);
+        let end = after.find('\n').map_or(text.len(), |at| span.start + at);
+        if end - begin > SEARCHED {
+            return false;
+        }
+        let line = &text[begin..end];
+        let code = line.split('#').next().unwrap_or(line);
+        let Some(at) = decimal_comma(code) else {
+            return false;
+        };
+        let hint = point_hint(&code[at.clone()]);
+        let at = begin + at.start..begin + at.end;
+        let found = self.quote(at.clone());
+        self.note(at, "", found, format!("not TOML{hint}"));
+        true
     }
 
     /// A mistake about what is not there, in the table at `span`.
@@ -130,6 +171,16 @@ impl<'t> Notes<'t> {
         mistakes.sort_by_key(|mistake| (mistake.line, mistake.column));
         mistakes.dedup();
         Mistakes(mistakes)
+    }
+
+    /// The piece of the file at `span`, or what follows on its line if that is empty.
+    pub(super) fn quote_on(&self, span: Range<usize>) -> String {
+        if !span.is_empty() || self.count() >= LISTED {
+            return self.quote(span);
+        }
+        let rest = self.text.get(span.start..).unwrap_or_default();
+        let line = (rest.chars().take(SEARCHED)).take_while(|&c| c != '\n');
+        self.quote(span.start..span.start + line.map(char::len_utf8).sum::<usize>())
     }
 
     /// The piece of the file at `span`, on one line.

@@ -64,9 +64,11 @@ impl SceneFile {
         let (table, errors) = DeTable::parse_recoverable(text);
         for error in &errors {
             let span = error.span().unwrap_or(0..0);
-            let found = notes.quote(span.clone());
+            let found = notes.quote_on(span.clone());
             let reason = error.message().replace('\n', "; ");
-            notes.note(span, "", found, format!("not TOML: {reason}"));
+            if !notes.note_decimal_comma(span.clone()) {
+                notes.note(span, "", found, format!("not TOML: {reason}"));
+            }
         }
         let mut file = Table::new("", 0..0, table.get_ref());
         let squirmers = squirmers::read(&mut file, &mut notes);
@@ -86,7 +88,10 @@ impl SceneFile {
         }
         let repulsion = repulsion.map(|(repulsion, _)| repulsion);
         let bodies = squirmers.bodies;
-        match Scene::new(bodies, squirmers.start, repulsion, gravity) {
+        let scene = Scene::new(bodies, squirmers.start, repulsion, gravity)
+            .map_err(|error| error.to_string())
+            .and_then(|scene| check_start(&scene, hydrodynamics).map(|()| scene));
+        match scene {
             Ok(scene) if notes.is_empty() => Ok(Self {
                 scene,
                 method: hydrodynamics.method,
@@ -95,9 +100,10 @@ impl SceneFile {
                 run,
             }),
             Ok(_) => Err(notes.into_mistakes()),
-            Err(error) => {
-                // What is left to be wrong are the positions: the spheres overlap or are too far apart.
-                notes.wrong(squirmers.second, "squirmer[1].position", error.to_string());
+            Err(reason) => {
+                // What is left to be wrong are the positions: the spheres overlap, or are too near for the model or
+                // too far apart.
+                notes.wrong(squirmers.second, "squirmer[1].position", reason);
                 Err(notes.into_mistakes())
             }
         }
@@ -113,6 +119,14 @@ impl SceneFile {
             ..options
         }
     }
+}
+
+/// Refuses a start at which the model of the scene has no answer.
+fn check_start(scene: &Scene, hydrodynamics: effects::Hydrodynamics) -> Result<(), String> {
+    let plan = Plan::new(scene).map_err(|error| error.to_string())?;
+    (hydrodynamics.method)
+        .check_gap(hydrodynamics.mesh, plan.start().gap)
+        .map_err(|error| format!("the start is too near: {error}"))
 }
 
 /// Lubrication theory flies freely beyond its cut: repulsion must have died out there.

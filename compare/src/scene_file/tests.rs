@@ -99,6 +99,59 @@ fn overlapping_spheres_and_doubled_squirming_point_to_their_keys() {
 }
 
 #[test]
+fn a_decimal_comma_is_told_from_other_mistakes() {
+    let first = |from: &str, to: &str| {
+        let found = mistakes(&START.replacen(from, to, 1));
+        assert_eq!(found.len(), 1, "{found:?}");
+        found[0].clone()
+    };
+    assert_eq!(
+        first("beta = 1", "beta = 5,0"),
+        "5:8: found 5,0; not TOML: decimals take a point, 5.0"
+    );
+    assert_eq!(
+        first(
+            "beta = 1\n",
+            "beta = 1\nrun = { end_time = 2,5e1, tolerance = 1e-6 }\n"
+        ),
+        "6:20: found 2,5e1; not TOML: decimals take a point, 2.5e1"
+    );
+    assert_eq!(
+        first("beta = 1", "beta = \"5,0\""),
+        "5:8: squirmer[0].beta: found \"5,0\"; give a finite number: decimals take a point, 5.0"
+    );
+    let not_one = first("beta = 1", "beta = 1,2,3");
+    assert!(
+        not_one.starts_with("5:9: found ,2,3; not TOML: "),
+        "{not_one}"
+    );
+    let list = first("[-1.5, 0]", "[-1,5, 0,0]");
+    assert!(list.ends_with("give a list of 2 to 3 finite numbers: decimals take a point, -1.5"));
+    let list = first("[-1.5, 0]", "[-1,5,0,0]");
+    assert!(
+        list.ends_with("give a list of 2 to 3 finite numbers"),
+        "{list}"
+    );
+}
+
+#[test]
+fn a_start_that_is_too_near_for_boundary_elements_points_to_its_position() {
+    let near = |model: &str| {
+        START
+            .replace("\"lubrication\"", model)
+            .replace("[1.5, 0]", "[0.5001, 0]")
+    };
+    for model in ["\"bem\"", "{ model = \"bem\", level = 2, direct = true }"] {
+        let found = mistakes(&near(model));
+        assert_eq!(found.len(), 1, "{found:?}");
+        let place = "7:12: squirmer[1].position: found [0.5001, 0]; the start is too near: ";
+        assert!(found[0].starts_with(place), "{}", found[0]);
+        assert!(found[0].contains("level"), "{}", found[0]);
+    }
+    assert!(SceneFile::parse(&near("\"exact\"")).is_ok());
+}
+
+#[test]
 fn keys_of_another_model_are_refused() {
     let level = START.replace("\"lubrication\"", "{ model = \"exact\", level = 2 }");
     assert!(mistakes(&level)[0].contains("hydrodynamics.level"));

@@ -167,7 +167,7 @@ impl Plan {
             let modes = [one, two][k].modes();
             let listed: Vec<_> = (1..)
                 .zip(modes)
-                .map(|(n, b)| format!("B{n} = {b}"))
+                .map(|(n, &b)| format!("B{n} = {}", typed(b)))
                 .collect();
             PlanRow {
                 effect: ["squirming of 1", "squirming of 2"][k],
@@ -256,6 +256,17 @@ impl Plan {
                 reason,
             }
         })
+    }
+}
+
+/// A number without the digits that rounding has left: 1.5 times 0.1 is 0.15 to people.
+fn typed(number: f64) -> String {
+    let scientific = format!("{number:.11e}");
+    let number = scientific.parse::<f64>().unwrap_or(number);
+    if number == 0.0 || (1e-4..1e6).contains(&number.abs()) {
+        format!("{number}")
+    } else {
+        format!("{number:e}")
     }
 }
 

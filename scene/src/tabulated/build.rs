@@ -6,7 +6,8 @@ use rayon::prelude::*;
 
 use super::chebyshev::{MAX_DEGREE, coefficients, points, tail, variation};
 use super::parts::Parts;
-use super::{FAR_GAP, Piece, Table, TableLimit, TableSummary, Tabulated};
+use super::tally::{ESTIMATES, Tally};
+use super::{BuildProgress, FAR_GAP, Piece, Table, TableLimit, TableSummary, Tabulated};
 use crate::{Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, SceneError, singular};
 
 /// How to build a table.
@@ -22,7 +23,7 @@ pub struct TableOptions {
 }
 
 /// Degree at which the search begins.
-const FIRST_DEGREE: usize = 4;
+pub(super) const FIRST_DEGREE: usize = 4;
 
 /// Share of the interpolation error that the parts of a piece may add.
 const PARTS_ACCURACY: f64 = 1e-3;
@@ -55,11 +56,11 @@ struct Builder<'a, M> {
     /// The tolerance asked for or the model's noise, whichever is larger.
     target: f64,
     evaluations: AtomicUsize,
-    progress: &'a (dyn Fn(usize) + Sync),
+    tally: Tally<'a>,
 }
 
 impl<M: Hydrodynamics> Tabulated<M> {
-    /// Tabulates `model`; `progress` is told the number of gaps evaluated so far.
+    /// Tabulates `model`; `progress` is told how far it is.
     ///
     /// # Errors
     /// Those of the model; [`SceneError::NotPositive`] for a tolerance or smallest gap that is not
@@ -67,7 +68,7 @@ impl<M: Hydrodynamics> Tabulated<M> {
     pub fn build(
         model: M,
         options: TableOptions,
-        progress: &(dyn Fn(usize) + Sync),
+        progress: &(dyn Fn(BuildProgress) + Sync),
     ) -> Result<Self, SceneError> {
         for (what, value) in [
             ("table tolerance", options.tolerance),
@@ -97,9 +98,15 @@ impl<M: Hydrodynamics> Tabulated<M> {
             options,
             target,
             evaluations: AtomicUsize::new(0),
-            progress,
+            tally: Tally::new(progress),
         };
         let (near, far) = regions(range, seams)?;
+        (builder.tally).wait_for(
+            [&near, &far]
+                .map(|ends| ends.len().saturating_sub(1))
+                .iter()
+                .sum(),
+        );
         let (near, near_error) = builder.region(Coordinate::LogGap, &near)?;
         let (far, far_error) = builder.region(Coordinate::InverseDistance, &far)?;
         let evaluations = builder.evaluations.into_inner();
@@ -151,6 +158,7 @@ impl<M: Hydrodynamics> Builder<'_, M> {
         halvings: usize,
     ) -> Result<Vec<(Piece, f64)>, SceneError> {
         let mut degree = FIRST_DEGREE;
+        self.tally.begin();
         let mut values = self.values(coordinate, low, high, degree, None)?;
         loop {
             let rows = coefficients(&values);
@@ -163,6 +171,7 @@ impl<M: Hydrodynamics> Builder<'_, M> {
                 } else {
                     error.max(variation(&values, &read))
                 };
+                self.tally.settle(degree);
                 let of_model = self.model_error(coordinate, low, high)?;
                 let of_pair = self.options.set.column_count();
                 let (pair, swirl): (Vec<_>, Vec<_>) = (rows.iter())
@@ -177,9 +186,11 @@ impl<M: Hydrodynamics> Builder<'_, M> {
                     swirl: Parts::of_series(&swirl, accuracy, &[]),
                     error: of_model,
                 };
+                self.tally.finish(degree);
                 return Ok(vec![(piece, error)]);
             }
             if degree == MAX_DEGREE {
+                self.tally.halve();
                 let middle = 0.5 * (low + high);
                 let (left, right) = rayon::join(
                     || self.pieces(coordinate, low, middle, halvings + 1),
@@ -189,6 +200,7 @@ impl<M: Hydrodynamics> Builder<'_, M> {
                 pieces.extend(right?);
                 return Ok(pieces);
             }
+            self.tally.try_beyond(degree);
             degree *= 2;
             values = self.values(coordinate, low, high, degree, Some(values))?;
         }
@@ -202,9 +214,11 @@ impl<M: Hydrodynamics> Builder<'_, M> {
         high: f64,
     ) -> Result<Option<f64>, SceneError> {
         let mut largest: Option<f64> = None;
-        for x in [low, 0.5 * (low + high), high] {
+        let places: [f64; ESTIMATES] = [low, 0.5 * (low + high), high];
+        for x in places {
             let gap = coordinate.gap(inside(x, low, high))?;
             let estimate = self.model.error_estimate(gap, self.options.set)?;
+            self.tally.one_done();
             largest = match (largest, estimate) {
                 (Some(a), Some(b)) => Some(a.max(b)),
                 (a, b) => a.or(b),
@@ -253,8 +267,8 @@ impl<M: Hydrodynamics> Builder<'_, M> {
                 *column -= s;
             }
         }
-        let done = self.evaluations.fetch_add(1, Ordering::Relaxed) + 1;
-        (self.progress)(done);
+        self.evaluations.fetch_add(1, Ordering::Relaxed);
+        self.tally.one_done();
         Ok(columns)
     }
 }

@@ -10,7 +10,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 use tempfile::NamedTempFile;
 
-use super::{Table, TableOptions, Tabulated};
+use super::{BuildProgress, Table, TableOptions, Tabulated};
 use crate::{Hydrodynamics, SceneError};
 
 /// Changes with the meaning of the stored table.
@@ -33,7 +33,7 @@ impl<M: Hydrodynamics> Tabulated<M> {
         model: M,
         options: TableOptions,
         folder: &Path,
-        progress: &(dyn Fn(usize) + Sync),
+        progress: &(dyn Fn(BuildProgress) + Sync),
     ) -> Result<Self, SceneError> {
         let key = format!("{FORMAT}; {}; {options:?}", model.fingerprint());
         let path = folder.join(format!("{:08x}.table", crc32fast::hash(key.as_bytes())));

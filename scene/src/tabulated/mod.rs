@@ -13,8 +13,10 @@ mod build;
 mod cache;
 mod chebyshev;
 mod parts;
+mod tally;
 
 pub use build::TableOptions;
+pub use tally::BuildProgress;
 
 use serde::{Deserialize, Serialize};
 

@@ -350,19 +350,24 @@ impl Hydrodynamics for Says {
     }
 }
 
-fn table_that_says(cutoff: Option<f64>, seam: Option<f64>) -> Tabulated<Says> {
+/// A table of a model that jumps at `seam` without saying so.
+pub(super) fn table_that_says(
+    cutoff: Option<f64>,
+    seam: Option<f64>,
+    progress: &(dyn Fn(BuildProgress) + Sync),
+) -> Tabulated<impl Hydrodynamics + use<>> {
     let options = TableOptions {
         set: LoadSet::all(2),
         tolerance: 1e-8,
         smallest_gap: 1e-3,
     };
     let made = Made { seam, noise: 1e-13 };
-    Tabulated::build(Says { made, cutoff }, options, &|_| ()).unwrap()
+    Tabulated::build(Says { made, cutoff }, options, progress).unwrap()
 }
 
 #[test]
 fn a_table_keeps_the_cut_of_its_model() {
-    let table = table_that_says(Some(1.0), None);
+    let table = table_that_says(Some(1.0), None, &|_| ());
     assert_eq!(table.cutoff(), Some(1.0));
     assert!(table.summary().interpolation_error <= 1e-8);
     let set = LoadSet::all(2);
@@ -381,7 +386,7 @@ fn a_table_keeps_the_cut_of_its_model() {
 
 #[test]
 fn a_table_of_a_model_that_jumps_without_a_seam_says_that_it_missed_its_tolerance() {
-    let summary = table_that_says(None, Some(0.37)).summary();
+    let summary = table_that_says(None, Some(0.37), &|_| ()).summary();
     assert!(summary.interpolation_error > 1e-4);
     assert_eq!(
         summary.limit,
