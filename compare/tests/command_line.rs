@@ -538,10 +538,13 @@ fn counts_that_are_none_are_named_in_words() {
 }
 
 #[test]
-fn the_default_methods_in_help_are_those_that_run() {
+fn help_names_the_methods_that_run_and_what_a_time_limit_leaves() {
     let folder = tempfile::tempdir().unwrap();
     let output = squirmers(folder.path(), &["bottom-heavy", "--help"]);
     let text = String::from_utf8(output.stdout).unwrap();
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(text.contains("[default: lt,exact]"), "{text}");
+    assert!(text.contains("[default: 1e-8]"), "{text}");
+    // Its runs are not kept.
+    assert!(!text.contains("goes on"), "{text}");
 }

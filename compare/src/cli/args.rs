@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+use super::bottom_heavy;
 use super::cost::CostArguments;
 use super::maps::{self, MapArguments, TrustArguments};
 use super::scene;
@@ -103,7 +104,10 @@ pub(crate) enum Command {
     Fates(MapArguments),
     /// Bottom-heavy squirmers under gravity (Fig. 8a-f): trajectories of the six panels
     #[command(after_help = "Example:\n  squirmers bottom-heavy --method lt,exact,bem")]
-    #[command(mut_arg("method", maps::methods))]
+    #[command(
+        mut_arg("method", maps::methods),
+        mut_arg("time_limit", bottom_heavy::time_limit)
+    )]
     BottomHeavy {
         #[command(flatten)]
         models: ModelArguments,
@@ -172,7 +176,7 @@ pub(crate) struct RunArguments {
     #[arg(
         long,
         value_name = "TOL",
-        default_value_t = 1e-8,
+        default_value = "1e-8",
         value_parser = parse_number,
         allow_hyphen_values = true
     )]
@@ -182,7 +186,7 @@ pub(crate) struct RunArguments {
     #[arg(
         long,
         value_name = "R|inf",
-        default_value_t = f64::INFINITY,
+        default_value = "inf",
         value_parser = parse_number,
         allow_hyphen_values = true
     )]

@@ -1,5 +1,7 @@
 //! The command for bottom-heavy squirmers.
 
+use clap::Arg;
+
 use super::args::{Arguments, ModelArguments, RunArguments};
 use super::commands::{model_options, print_rows, set_up, sweep_options};
 use super::maps::METHODS;
@@ -8,6 +10,14 @@ use crate::numbers::{rounded, written};
 use crate::output::{OutputFolder, csv_text};
 use crate::streams::complain;
 use crate::{CompareError, Defaults, NoRun, pictures};
+
+/// The argument `--time-limit` of this command, which keeps no runs: it needs each whole for its picture.
+pub(super) fn time_limit(arg: Arg) -> Arg {
+    arg.help(
+        "Begin no further run after this time; those left out are reported (exit status 75), and the same command begins \
+         anew",
+    )
+}
 
 pub(super) fn run(
     models: &ModelArguments,
