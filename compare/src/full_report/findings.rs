@@ -448,14 +448,32 @@ pub(super) fn of_cost(found: &[Finding]) -> String {
     let value = |name: &str| {
         (found.iter().find(|finding| finding.finding == name)).map_or(f64::NAN, |f| f.value)
     };
-    format!(
-        "A collision takes at most {:.0} µs by lubrication theory. A right-hand side from the exact table takes {:.1} \
-         times as long as one by lubrication theory, and boundary elements solved at every step {:.1e} times as long \
-         as the exact table.",
-        value(cost::COLLISION),
-        value(cost::RIGHT_HAND_SIDES),
-        value(cost::DIRECT),
-    )
+    let sentences = [
+        (
+            value(cost::COLLISION),
+            format!(
+                "A collision takes at most {:.0} µs by lubrication theory.",
+                value(cost::COLLISION)
+            ),
+        ),
+        (
+            value(cost::RIGHT_HAND_SIDES),
+            format!(
+                "A right-hand side from the exact table takes {:.1} times as long as one by lubrication theory.",
+                value(cost::RIGHT_HAND_SIDES)
+            ),
+        ),
+        (
+            value(cost::DIRECT),
+            format!(
+                "Boundary elements solved at every step take {} times as long as the exact table.",
+                numbers::size(value(cost::DIRECT))
+            ),
+        ),
+    ];
+    let measured = sentences.into_iter().filter(|(value, _)| value.is_finite());
+    let measured: Vec<String> = measured.map(|(_, sentence)| sentence).collect();
+    measured.join(" ")
 }
 
 #[cfg(test)]
@@ -529,5 +547,21 @@ mod tests {
         assert_eq!(of_loads(&[]), "");
         assert_eq!(of_fates(&[]), "");
         assert_eq!(of_trust(&[]), "");
+        assert_eq!(of_cost(&[]), "");
+    }
+
+    #[test]
+    fn what_was_not_measured_is_not_said() {
+        let found = |finding: &str, value: f64| Finding {
+            finding: finding.to_owned(),
+            of: String::new(),
+            value,
+            unit: "",
+        };
+        let text = of_cost(&[found(cost::COLLISION, 24.4), found(cost::DIRECT, f64::NAN)]);
+        assert_eq!(
+            text,
+            "A collision takes at most 24 µs by lubrication theory."
+        );
     }
 }

@@ -15,7 +15,7 @@ use crate::{CompareError, Method, Model};
 
 /// Points a side of the maps of Figs 2 to 4, of the shares against beta, and of the trust against the
 /// offset.
-const SCATTER_GRID: usize = 40;
+const SCATTER_GRID: usize = 100;
 const FATES_GRID: usize = 30;
 const OFFSET_GRID: usize = 20;
 

@@ -15,6 +15,9 @@ const SMALLEST_SHARE: f64 = 0.72;
 /// Rows beyond which a table is shown only when it is asked for.
 const LONG: usize = 16;
 
+/// Longest CSV, in bytes, that is within the page; a longer one is the file beside it.
+const MOST_EMBEDDED: usize = 1 << 20;
+
 /// The page as one HTML file that loads nothing.
 #[must_use]
 pub fn render(page: &Page) -> String {
@@ -137,7 +140,7 @@ fn table(table: &Table) -> Markup {
         .map(|i| table.is_numeric(i))
         .collect();
     let class = |i: usize| numeric.get(i).is_some_and(|n| *n).then_some("number");
-    let data = BASE64_STANDARD.encode(&table.csv);
+    let embedded = table.csv.len() <= MOST_EMBEDDED;
     let rows = html! {
         div.wide tabindex="0" {
             table {
@@ -166,8 +169,14 @@ fn table(table: &Table) -> Markup {
         div.table {
             p {
                 (table.caption) " · "
-                a download=(table.file_name) href={ "data:text/csv;charset=utf-8;base64," (data) } {
-                    (table.file_name)
+                @if embedded {
+                    @let data = BASE64_STANDARD.encode(&table.csv);
+                    a download=(table.file_name) href={ "data:text/csv;charset=utf-8;base64," (data) } {
+                        (table.file_name)
+                    }
+                } @else {
+                    a href=(table.file_name) { (table.file_name) }
+                    " (beside this page, for it is large)"
                 }
             }
             @if table.records.len() > LONG {

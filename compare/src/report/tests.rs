@@ -99,6 +99,15 @@ fn a_long_table_is_shown_when_it_is_asked_for() {
 }
 
 #[test]
+fn a_table_too_large_for_the_page_is_the_file_beside_it() {
+    let mut page = page();
+    page.sections[0].tables[0].csv = "1,2\n".repeat(300_000);
+    let html = render(&page);
+    assert!(html.len() < 100_000);
+    assert!(html.contains("<a href=\"offset.csv\">offset.csv</a>"));
+}
+
+#[test]
 fn page_loads_nothing() {
     let html = render(&page()).replace("xmlns=\"http://www.w3.org/2000/svg\"", "");
     assert!(!html.contains("http://") && !html.contains("https://"));
