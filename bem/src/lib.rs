@@ -33,6 +33,7 @@ mod error;
 mod estimates;
 pub mod lab;
 pub mod mesh;
+mod missing;
 pub mod model;
 pub mod pair;
 pub mod quadrature;

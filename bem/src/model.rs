@@ -63,9 +63,10 @@ const FAR_LAW: Grading = Grading {
 /// spheres:
 ///
 /// ```text
-/// loads(gap) = solved(gap) - solved(infinity) + isolated.
+/// loads(gap) = completed(gap) - completed(infinity) + isolated,
 /// ```
 ///
+/// where what is solved for is completed by the loads of the rigid motions that lone squirmers lack on the mesh.
 /// The mesh turns a lone squirmer a little, and an error that does not fall with the distance would turn a pair flown to infinity
 /// without end. It costs one more solve for each set of loads and each level.
 #[derive(Debug)]

@@ -1,16 +1,18 @@
 //! The meshes of one level, and what they make of a lone sphere.
 //!
-//! Beyond the last seam the mesh is one and fixed, and loads are shifted so that they tend to those of lone spheres
+//! Beyond the last seam mesh and density are one and fixed, and loads are shifted so that they tend to those of lone spheres
 //! as the gap grows:
 //!
 //! ```text
-//! loads(gap) = solved(gap) - solved(infinity) + isolated.
+//! loads(gap) = completed(gap) - completed(infinity) + isolated,
+//! completed = solved + loads of the rigid motions that lone squirmers lack on the mesh ([`Missing`]).
 //! ```
 //!
 //! The mesh is not the same all around the sphere, so that it turns a lone squirmer that does not swim along the line
 //! of centres, and gives it another speed than that of the closed form. As an error of a load this is small, but it does not fall with the
 //! distance as all that the spheres do to each other does: a pair flown to infinity would turn for ever. The
-//! error of the lone sphere is the same at every gap, and the difference is free of it.
+//! error of the lone sphere is the same at every gap, and the difference is free of it. Without the missing motions squirmers at the
+//! right speed would not be free of force on the mesh, and errors would fall as `1/r` instead of its square.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -18,6 +20,7 @@ use scene::{LoadSet, PairLoads, SwirlLoads};
 
 use crate::BemError;
 use crate::mesh::MeshFamily;
+use crate::missing::Missing;
 use crate::pair::{self, PairSolution};
 
 /// Meshes from the smallest gaps to the largest, with the solutions for spheres infinitely far apart.
@@ -32,6 +35,8 @@ pub(crate) struct Refinement {
 #[derive(Clone, Copy, Debug)]
 struct Shift {
     set: LoadSet,
+    /// The velocities that the mesh gives lone squirmers wrongly.
+    missing: Missing,
     loads: PairLoads,
     swirl: SwirlLoads,
 }
@@ -66,8 +71,7 @@ impl Refinement {
         if piece + 1 == self.families.len() {
             let (shift, solves) = self.shift(set)?;
             factorised += solves;
-            solution.loads += &shift.loads;
-            solution.swirl += &shift.swirl;
+            shift.add_to(&mut solution.loads, &mut solution.swirl);
         }
         Ok((solution, factorised))
     }
@@ -98,18 +102,28 @@ impl Refinement {
 impl Shift {
     /// From the solution for spheres infinitely far apart.
     fn of(set: LoadSet, solution: &PairSolution) -> Self {
+        let missing = Missing::of(&solution.loads, &solution.swirl);
+        let (mut loads, mut swirl) = (solution.loads, solution.swirl);
+        missing.add_to(&mut loads, &mut swirl);
         let loads: Vec<f64> = (PairLoads::isolated(set).columns())
-            .zip(solution.loads.columns())
+            .zip(loads.columns())
             .map(|(isolated, solved)| isolated - solved)
             .collect();
         let swirl: Vec<f64> = (SwirlLoads::isolated(set).columns())
-            .zip(solution.swirl.columns())
+            .zip(swirl.columns())
             .map(|(isolated, solved)| isolated - solved)
             .collect();
         Self {
             set,
+            missing,
             loads: PairLoads::from_columns(set, set, &loads),
             swirl: SwirlLoads::from_columns(set, &swirl),
         }
+    }
+
+    fn add_to(&self, loads: &mut PairLoads, swirl: &mut SwirlLoads) {
+        self.missing.add_to(loads, swirl);
+        *loads += &self.loads;
+        *swirl += &self.swirl;
     }
 }

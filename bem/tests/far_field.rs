@@ -53,7 +53,7 @@ fn val_the_shift_brings_loads_closer_however_far_apart() {
             assert!(shifted < 1.1 * as_solved, "level {level}: {errors:?}");
         }
         let [shifted, as_solved] = errors[5];
-        assert!(shifted < 0.1 * as_solved, "level {level}: {errors:?}");
+        assert!(shifted < 0.01 * as_solved, "level {level}: {errors:?}");
     }
 }
 
@@ -150,8 +150,8 @@ fn val_pairs_on_a_mesh_stop_turning_as_they_part() {
         let off = [0, 1].map(|k| found.deflections()[k] - truth.deflections()[k]);
         let (off, left) = (off.map(f64::to_degrees), found.truncation.to_degrees());
         println!("beta {beta}, dx {dx}: off by {off:?} degrees, {left:e} to come");
-        // What is left is the error of the table; a mesh that turns lone squirmers leaves 0.0007 to 0.011.
-        assert!(left < 1e-4, "{left:e}");
+        // A mesh that turns lone squirmers leaves 0.0007 to 0.011.
+        assert!(left < 1e-7, "{left:e}");
         // The error of the mesh while the pair is near; it was up to twice this.
         let worst = off[0].abs().max(off[1].abs());
         assert!(worst < 0.01, "{off:?}");

@@ -22,8 +22,13 @@ impl Unsplit {
         let family = model.family(gap);
         let (eps, smallest) = (gap.eps(), family.smallest);
         let reference = family.at(smallest);
+        let profile = if family.largest.is_finite() {
+            Profile::beside_mirror_image(eps)
+        } else {
+            Profile::alone()
+        };
         let surface: Surface = Surface::new(
-            (family.at(eps), Profile::beside_mirror_image(eps)),
+            (family.at(eps), profile),
             (&reference, Profile::beside_mirror_image(smallest)),
         );
         let references = Nodes::<6>::new(&reference).points;

@@ -161,8 +161,15 @@ struct Systems<const H: usize> {
 fn systems<const H: usize>(family: &MeshFamily<H>, eps: f64, set: LoadSet) -> Systems<H> {
     let eps = eps.min(FARTHEST);
     let reference = family.at(family.smallest);
+    // On one fixed mesh the density is one and fixed, too: what the mesh makes of a lone sphere must not change
+    // with the gap.
+    let profile = if family.largest.is_finite() {
+        Profile::beside_mirror_image(eps)
+    } else {
+        Profile::alone()
+    };
     let surface = Surface::<H>::new(
-        (family.at(eps), Profile::beside_mirror_image(eps)),
+        (family.at(eps), profile),
         (&reference, Profile::beside_mirror_image(family.smallest)),
     );
     let orbits = family.orbits();

@@ -20,7 +20,7 @@ const KNOWN: f64 = 2e-9;
 const MOST_DOUBLINGS: usize = 20;
 
 /// What is left out falls at least as the square of the distance: twice as far away it is a quarter. By exact loads it falls as
-/// the cube; the stresslet of a discretised squirmer is a little off.
+/// the cube; the stresslet of a squirmer on a mesh is a little off.
 const ORDER: f64 = 4.0;
 
 /// Where angles are read, and how far they are from their limit.
