@@ -36,6 +36,7 @@ impl Finding {
 #[must_use]
 pub fn findings(rows: &[CostRow]) -> Vec<Finding> {
     let mut findings = speeds(rows);
+    findings.extend(set_ups(rows));
     findings.extend((break_even(rows).into_iter()).map(|(model, trajectories)| {
         Finding::new(
             "the table has paid for itself after",
@@ -66,10 +67,17 @@ pub(crate) const DIRECT: &str =
 fn speeds(rows: &[CostRow]) -> Vec<Finding> {
     let lt = Method::Lt.name();
     let coarse = format!("bem-{COARSE_LEVEL}");
-    let collision = (rows.iter())
-        .filter(|r| is_trajectory(r, lt, 1e-8) && r.gap_or_case.starts_with(FIG_6))
-        .map(|r| r.seconds)
-        .fold(f64::NAN, f64::max);
+    let collision = |model: &str| {
+        let seconds = (rows.iter())
+            .filter(|r| is_trajectory(r, model, 1e-8) && r.gap_or_case.starts_with(FIG_6))
+            .map(|r| r.seconds);
+        Finding::new(
+            COLLISION,
+            model,
+            1e6 * seconds.fold(f64::NAN, f64::max),
+            "µs",
+        )
+    };
     let right_hand_side = |model: &str| {
         (rows.iter())
             .find(|r| r.part == Part::Profile && r.model == model && r.knob == RIGHT_HAND_SIDE)
@@ -95,6 +103,32 @@ fn speeds(rows: &[CostRow]) -> Vec<Finding> {
         ),
         Finding::new(DIRECT, &*coarse, direct_over_table(rows, &coarse), "times"),
     ]
+}
+
+/// What the tables take, once, each the longest of those that were built to different tolerances.
+fn set_ups(rows: &[CostRow]) -> impl Iterator<Item = Finding> {
+    tabulated(rows).into_iter().map(|model| {
+        let seconds = (rows.iter())
+            .filter(|row| row.part == Part::Deflection && row.model == model)
+            .map(|row| row.set_up_seconds);
+        Finding::new(
+            "building the table",
+            model,
+            seconds.fold(f64::NAN, f64::max),
+            "s",
+        )
+    })
+}
+
+/// The models with a table whose trajectories were timed.
+fn tabulated(rows: &[CostRow]) -> Vec<&str> {
+    let mut models: Vec<&str> = (rows.iter())
+        .filter(|row| row.part == Part::Deflection && row.model.ends_with("-table"))
+        .map(|row| row.model.as_str())
+        .collect();
+    models.sort_unstable();
+    models.dedup();
+    models
 }
 
 /// Beginning of the names of the cases of Fig. 6.
@@ -158,13 +192,6 @@ fn exponent(rows: &[CostRow], model: &str) -> f64 {
 /// for the models with a table, by the median over the cases at the tolerance 1e-8 and the time of
 /// one solve at the gap 0.01.
 fn break_even(rows: &[CostRow]) -> Vec<(String, f64)> {
-    let mut models: Vec<&str> = (rows.iter())
-        .filter(|row| row.part == Part::Deflection && row.model.ends_with("-table"))
-        .map(|row| row.model.as_str())
-        .collect();
-    models.dedup();
-    models.sort_unstable();
-    models.dedup();
     let of = |model: &str| {
         let mine: Vec<&CostRow> = (rows.iter())
             .filter(|r| r.part == Part::Deflection && r.model == model)
@@ -178,7 +205,7 @@ fn break_even(rows: &[CostRow]) -> Vec<(String, f64)> {
         let direct = middle(|row| row.loads) * seconds_of_solve(rows, model);
         middle(|row| row.set_up_seconds) / (direct - middle(|row| row.seconds))
     };
-    (models.into_iter())
+    (tabulated(rows).into_iter())
         .map(|model| (model.to_owned(), of(model)))
         .collect()
 }
