@@ -4,6 +4,7 @@
 
 use std::sync::OnceLock;
 
+use compare::bottom_heavy::panel_runs;
 use compare::maps::{
     FateRow, Grid, Pair, ScatterRow, bound_rows, fates_of, scatter_row, trust_rows, trust_shares,
 };
@@ -214,6 +215,10 @@ fn map(model: &Model, beta: f64, points: usize) -> Vec<ScatterRow> {
         g: 0.0,
         dz: 0.0,
     };
+    map_of(model, pair, points)
+}
+
+fn map_of(model: &Model, pair: Pair, points: usize) -> Vec<ScatterRow> {
     let values = Grid::new(points).unwrap().values();
     let starts: Vec<_> = (values.iter())
         .flat_map(|&sigma| values.iter().map(move |&delta| (delta, sigma)))
@@ -333,5 +338,108 @@ fn readme_an_offset_out_of_the_plane() {
     readme.says(&format!(
         "0.1 radii change the outgoing direction by {:.0}°",
         most("orthogonal", true, 0.1)
+    ));
+}
+
+/// Points a side of the maps under gravity.
+const GRAVITY_MAP: usize = 30;
+
+#[test]
+fn readme_gravity_binds_other_pairs() {
+    let mut readme = Claims::default();
+    let [lubrication, exact] = [Method::Lt, Method::Exact].map(|m| set_up(m, LoadSet::all(2)));
+    let orbits = |model: &Model, beta: f64, g: f64| {
+        let pair = Pair { beta, g, dz: 0.0 };
+        fates_of(model, pair, &map_of(model, pair, GRAVITY_MAP)).orbits()
+    };
+    // Drifting orbits of strong pushers end between 2 and 2.5 by lubrication theory, and do not occur at all.
+    assert!(orbits(&lubrication, -5.0, 2.0) > 0.1);
+    assert!(orbits(&lubrication, -5.0, 2.5) < 0.001);
+    for g in [0.0, 1.0, 2.0] {
+        assert!(orbits(&exact, -5.0, g) < 0.001, "G {g}");
+    }
+    readme.says("up to a bottom-heaviness between 2 and 2.5, do not occur");
+    let last = orbits(&exact, 5.0, 2.5);
+    assert!(orbits(&exact, 5.0, 3.0) < 0.001);
+    readme.says(&format!(
+        "strong pullers orbit up to between 2.5 and 3 ({:.0} % of the starts with β = 5 at 2.5)",
+        100.0 * last
+    ));
+    let panels = Defaults::paper().unwrap().bottom_heavy;
+    let down: Vec<_> = panels.into_iter().filter(|p| p.panel == "f").collect();
+    let runs = panel_runs(&[&lubrication, &exact], &down, &sweep_options());
+    let [by_lubrication, by_exact] = [0, 1].map(|k| runs[k].summary().depth_ratio);
+    readme.says(&format!(
+        "The pair that swims downward, {by_lubrication:.1} times as far as its members alone, turns round after \
+         {by_exact:.1} times"
+    ));
+}
+
+/// One measured cost, a line of `fixtures/measured-costs.csv`.
+#[derive(serde::Deserialize)]
+struct Cost {
+    finding: String,
+    of: String,
+    value: f64,
+}
+
+/// To one digit, with commas between thousands.
+fn about(value: f64) -> String {
+    let unit = 10_f64.powf(value.log10().floor());
+    let digits = format!("{:.0}", (value / unit).round() * unit);
+    let from_right = digits.char_indices().map(|(i, c)| (digits.len() - i, c));
+    from_right
+        .flat_map(|(left, c)| {
+            (left % 3 == 0 && left < digits.len())
+                .then_some(',')
+                .into_iter()
+                .chain([c])
+        })
+        .collect()
+}
+
+/// Times are those of one quiet machine, kept with what measured them; README says what they come to.
+#[test]
+fn readme_times_are_those_that_were_measured() {
+    let mut readme = Claims::default();
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../fixtures/measured-costs.csv"
+    );
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .from_path(path)
+        .unwrap();
+    let costs: Vec<Cost> = reader.deserialize().map(Result::unwrap).collect();
+    let measured = |finding: &str, of: &str| {
+        (costs
+            .iter()
+            .find(|cost| cost.finding == finding && cost.of == of))
+        .unwrap_or_else(|| panic!("no '{finding}' of {of}"))
+        .value
+    };
+    let collision = "slowest collision of Fig. 6, tol 1e-8";
+    let ratio = measured("right-hand side over lubrication's", "exact-table");
+    readme.says(&format!(
+        "a collision takes up to {:.2} ms by exact loads, {:.3} ms by lubrication theory ({ratio:.1} and 1 for a \
+         right-hand side)",
+        1e-3 * measured(collision, "exact-table"),
+        1e-3 * measured(collision, "lt")
+    ));
+    let direct = "solved trajectory over tabulated, least";
+    readme.says(&format!(
+        "boundary elements (level 1) solved at every step take {} times as long as the exact table",
+        about(measured(direct, "bem-1"))
+    ));
+    readme.says(&format!(
+        "SciPy's solver of the same method {} times as long for lubrication theory",
+        about(measured(
+            "collision by SciPy's solver of the same method",
+            "lt"
+        ))
+    ));
+    readme.says(&format!(
+        "The tables take {} s on two cores",
+        about(measured("building the table", "bem-3-table"))
     ));
 }

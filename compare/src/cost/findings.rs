@@ -42,7 +42,7 @@ pub fn findings(rows: &[CostRow]) -> Vec<Finding> {
             "the table has paid for itself after",
             model,
             trajectories,
-            "trajectories",
+            "runs",
         )
     }));
     findings.extend(BEM_PARTS.map(|model| {
@@ -58,10 +58,9 @@ pub fn findings(rows: &[CostRow]) -> Vec<Finding> {
 }
 
 /// Names of the findings that the page speaks of.
-pub(crate) const COLLISION: &str = "slowest collision of Fig. 6 at tolerance 1e-8";
-pub(crate) const RIGHT_HAND_SIDES: &str = "right-hand side against that of lubrication";
-pub(crate) const DIRECT: &str =
-    "trajectory without a table against one by the exact table, least ratio";
+pub(crate) const COLLISION: &str = "slowest collision of Fig. 6, tol 1e-8";
+pub(crate) const RIGHT_HAND_SIDES: &str = "right-hand side over lubrication's";
+pub(crate) const DIRECT: &str = "solved trajectory over tabulated, least";
 
 /// Times of trajectories, right-hand sides and velocities, and their ratios.
 fn speeds(rows: &[CostRow]) -> Vec<Finding> {
@@ -87,7 +86,8 @@ fn speeds(rows: &[CostRow]) -> Vec<Finding> {
     let most = |of: fn(&CostRow) -> f64| velocities().map(of).fold(f64::NAN, f64::max);
     let ratio = right_hand_side("exact-table") / right_hand_side(lt);
     vec![
-        Finding::new(COLLISION, lt, 1e6 * collision, "µs"),
+        collision(lt),
+        collision("exact-table"),
         Finding::new(RIGHT_HAND_SIDES, "exact-table", ratio, "times"),
         Finding::new(
             "slowest velocity at any gap",
@@ -162,7 +162,7 @@ fn sweeps(rows: &[CostRow]) -> Vec<Finding> {
     };
     (by("1 thread").zip(by("2 threads")))
         .map(|(one, two)| {
-            let of = format!("sweep of {} trajectories", one.value);
+            let of = format!("{} trajectories", one.value);
             Finding::new(
                 "two threads against one",
                 of,
@@ -237,5 +237,22 @@ mod tests {
             .into();
         approx::assert_relative_eq!(exponent(&rows, "made"), 2.5, max_relative = 1e-12);
         assert!(exponent(&rows, "absent").is_nan());
+    }
+
+    #[test]
+    fn findings_fit_a_terminal_of_80_columns() {
+        let tables = ["exact-table", "bem-3-table"]
+            .map(|model| CostRow::new(Part::Deflection, model, ("tolerance", 1e-8), "head-on"));
+        let sweeps = ["1 thread", "2 threads"]
+            .map(|threads| CostRow::new(Part::Scaling, SWEEP, ("trajectories", 1e4), threads));
+        let found = findings(&[tables, sweeps].concat());
+        assert!(found.iter().any(|f| f.of.contains("10000")), "{found:?}");
+        let longest = |of: fn(&Finding) -> &str| {
+            let lengths = found.iter().map(|f| of(f).chars().count());
+            lengths.max().unwrap_or(0)
+        };
+        let texts = longest(|f| &f.finding) + longest(|f| &f.of) + longest(|f| f.unit);
+        // Numbers take up to eight characters, and three blanks part the columns, with one at each end.
+        assert!(texts + 8 + 5 <= 80, "{texts}");
     }
 }
