@@ -433,10 +433,7 @@ fn readme_times_are_those_that_were_measured() {
     ));
     readme.says(&format!(
         "SciPy's solver of the same method {} times as long for lubrication theory",
-        about(measured(
-            "collision by SciPy's solver of the same method",
-            "lt"
-        ))
+        about(measured("SciPy's solver over ours", "lt, dx 1"))
     ));
     readme.says(&format!(
         "The tables take {} s on two cores",
