@@ -82,13 +82,16 @@ pub(super) fn of_encounters(encounters: &[Encounter]) -> String {
         ));
     }
     let pairs = |rows: &[ComparisonRow]| rows.iter().filter(|row| row.squirmer == 1).count();
-    if let Some(row) = otherwise.first() {
+    if let Some(row) = otherwise.first()
+        && let Some((judged, exact)) = row.outcomes.split_once(" / ")
+    {
         sentences.push(format!(
-            "{} of {} pairs end otherwise than by exact hydrodynamics ({}: {}).",
+            "{} of {} pairs end otherwise than by exact hydrodynamics ({}: {} instead of {}).",
             pairs(&otherwise),
             pairs(&otherwise) + pairs(&alike),
             place(row),
-            row.outcomes,
+            judged,
+            exact,
         ));
     }
     let by_elements: Vec<ComparisonRow> = alike.into_iter().chain(otherwise).collect();
