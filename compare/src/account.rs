@@ -2,7 +2,9 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-use crate::CompareError;
+use scene::Run;
+
+use crate::{CompareError, NoRun};
 
 /// Runs, or lines of a map, and those without a result.
 #[derive(Debug, Default)]
@@ -22,6 +24,20 @@ impl Account {
     /// So many runs, or lines of a map, were left out at the time limit.
     pub(crate) fn skipped(&self, runs: usize) {
         self.skipped.fetch_add(runs, Relaxed);
+    }
+
+    /// The runs among these that have no result; whether the time limit has left some out.
+    pub(crate) fn enter<'a>(&self, runs: impl Iterator<Item = &'a Result<Run, NoRun>>) -> bool {
+        let (mut failed, mut skipped) = (0, 0);
+        for none in runs.filter_map(|run| run.as_ref().err()) {
+            match none {
+                NoRun::Skipped => skipped += 1,
+                NoRun::Failed(_) => failed += 1,
+            }
+        }
+        self.failed(failed);
+        self.skipped(skipped);
+        skipped > 0
     }
 
     /// So many bounds are broken, of so many.

@@ -123,6 +123,15 @@ fn chunks_of_a_killed_map() -> Vec<String> {
     chunks
 }
 
+/// Leaves a part file with one finished line of the map; its text.
+fn interrupt_a_map(out: &Path) -> String {
+    map(out, "scatter", "2", &["--time-limit", "0"]);
+    let key = text(out, "scatter.csv.part");
+    let kept = format!("{key}{}", chunks_of_a_killed_map()[0]);
+    std::fs::write(out.join("scatter.csv.part"), &kept).unwrap();
+    kept
+}
+
 #[test]
 fn a_piece_of_an_interrupted_map_that_was_edited_is_computed_again() {
     let whole = tempfile::tempdir().unwrap();
@@ -149,10 +158,7 @@ fn a_piece_of_an_interrupted_map_that_was_edited_is_computed_again() {
 fn an_interrupted_map_is_not_thrown_away_by_another_one_unless_that_is_asked_for() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path();
-    map(out, "scatter", "2", &["--time-limit", "0"]);
-    let key = text(out, "scatter.csv.part");
-    let kept = format!("{key}{}", chunks_of_a_killed_map()[0]);
-    std::fs::write(out.join("scatter.csv.part"), &kept).unwrap();
+    let kept = interrupt_a_map(out);
     let other = ["scatter", "--beta", "1", "--grid", "6", "--method", "lt"];
     let refused = squirmers(out, &other);
     let message = String::from_utf8(refused.stderr).unwrap();
@@ -223,10 +229,7 @@ fn memory_does_not_grow_with_the_number_of_maps() {
 fn a_report_refuses_another_command_s_unfinished_map_before_it_computes_anything() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path();
-    map(out, "scatter", "2", &["--time-limit", "0"]);
-    let key = text(out, "scatter.csv.part");
-    let kept = format!("{key}{}", chunks_of_a_killed_map()[0]);
-    std::fs::write(out.join("scatter.csv.part"), &kept).unwrap();
+    let kept = interrupt_a_map(out);
     let refused = squirmers(out, &["report", "--method", "lt,exact"]);
     let message = String::from_utf8(refused.stderr).unwrap();
     assert_eq!(refused.status.code(), Some(2), "{message}");

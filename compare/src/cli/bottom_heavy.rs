@@ -7,7 +7,7 @@ use super::commands::{model_options, print_rows, set_up, sweep_options};
 use super::maps::METHODS;
 use crate::bottom_heavy::{PanelCase, PanelRun, panel_runs};
 use crate::numbers::{rounded, written};
-use crate::output::{OutputFolder, csv_text};
+use crate::output::csv_text;
 use crate::streams::complain;
 use crate::{CompareError, Defaults, NoRun, pictures};
 
@@ -33,7 +33,7 @@ pub(super) fn run(
     let models: Vec<_> = models.iter().collect();
     let runs = panel_runs(&models, &panels, &sweep);
     let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
-    let stopped = account_for(&runs, &out);
+    let stopped = out.account().enter(runs.iter().map(|run| &run.run));
     if stopped && out.holds("bottom-heavy.csv") {
         complain!("'bottom-heavy.csv' holds more already and stays as it is");
     } else {
@@ -49,15 +49,6 @@ pub(super) fn run(
         }
     }
     out.account().verdict()
-}
-
-/// Enters runs without a result; whether the time limit has left some out.
-pub(crate) fn account_for(runs: &[PanelRun], out: &OutputFolder) -> bool {
-    let none = || runs.iter().filter_map(|run| run.run.as_ref().err());
-    let skipped = none().filter(|none| **none == NoRun::Skipped).count();
-    out.account().skipped(skipped);
-    out.account().failed(none().count() - skipped);
-    skipped > 0
 }
 
 /// One line about a run without a result.

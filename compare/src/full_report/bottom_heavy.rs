@@ -1,7 +1,7 @@
 //! The section on bottom-heavy squirmers: the panels of Fig. 8(a-f), and shares of orbits (g).
 
 use crate::bottom_heavy::{PanelRun, panel_runs};
-use crate::cli::bottom_heavy::{account_for, failure};
+use crate::cli::bottom_heavy::failure;
 use crate::maps::{Grid, Maps, Pair};
 use crate::output::{OutputFolder, csv_text};
 use crate::report::{Figure, Section, Table};
@@ -54,7 +54,7 @@ pub(super) fn section(
     let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
     let summary: Vec<_> = runs.iter().map(PanelRun::summary).collect();
     let trajectories = csv_text(&rows)?;
-    account_for(&runs, out);
+    out.account().enter(runs.iter().map(|run| &run.run));
     write_unless_less("bottom-heavy.csv", &trajectories, out)?;
     let picture = pictures::of_bottom_heavy(&runs)?;
 

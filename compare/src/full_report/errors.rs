@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use scene::Hydrodynamics;
 
-use super::{LOADS, account_for, findings, words, write_unless_less};
+use super::{LOADS, findings, words, write_unless_less};
 use crate::output::{OutputFolder, csv_text};
 use crate::report::{Figure, Section, Table};
 use crate::sweep::{self, SweepOptions};
@@ -33,7 +33,8 @@ pub(super) fn section(
         .map(|encounter| encounter.case)
         .collect();
     let more = sweep::encounters(&extra, &cases, sweep);
-    account_for(&more, out);
+    out.account()
+        .enter(more.iter().map(|encounter| &encounter.run));
     encounters.extend(more);
     let mut judged: Vec<_> = models.iter().chain(&extra).collect();
     judged.sort_by_key(|model| model.method());

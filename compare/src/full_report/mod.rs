@@ -26,8 +26,7 @@ use crate::sweep::{self, SweepOptions};
 use maps::ReportMaps;
 
 use crate::{
-    Approach, Case, CompareError, Defaults, Encounter, Method, Model, ModelOptions, NoRun,
-    provenance,
+    Approach, Case, CompareError, Defaults, Encounter, Method, Model, ModelOptions, provenance,
 };
 
 /// Gaps at which the page states each model's own error estimate: where collisions go.
@@ -147,14 +146,6 @@ fn check_kept(
     }
     let (dz, cases) = offset_cases()?;
     kept_rows("offset", models, &cases, sweep, out).check_offsets(&dz)
-}
-
-/// Enters encounters without a result.
-fn account_for(encounters: &[Encounter], out: &OutputFolder) {
-    let none = || encounters.iter().filter_map(|e| e.run.as_ref().err());
-    let skipped = none().filter(|none| **none == NoRun::Skipped).count();
-    out.account().skipped(skipped);
-    out.account().failed(none().count() - skipped);
 }
 
 /// Writes a file, unless the time limit has left something out and an earlier command's is there.

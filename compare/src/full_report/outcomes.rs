@@ -4,7 +4,6 @@ use serde::Serialize;
 
 use super::{write_unless_less, written};
 use crate::bottom_heavy::{PanelRun, panel_runs};
-use crate::cli::bottom_heavy::account_for;
 use crate::output::{OutputFolder, csv_text};
 use crate::pictures;
 use crate::report::{Section, Table};
@@ -26,7 +25,7 @@ pub(super) fn section(
         let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
         let csv = csv_text(&rows)?;
         let file_name = format!("{name}.csv");
-        account_for(&runs, out);
+        out.account().enter(runs.iter().map(|run| &run.run));
         write_unless_less(&file_name, &csv, out)?;
         let drawn = pictures::of_panels(&format!("{name}.svg"), title, &runs)?;
         figures.extend(written(drawn.into_iter().collect(), out)?);

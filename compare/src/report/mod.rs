@@ -11,6 +11,7 @@ mod tests;
 pub use cost::MethodCost;
 pub use page::render;
 pub use table::Table;
+pub(crate) use table::rounded;
 
 /// Everything on the page.
 #[derive(Clone, Debug, Default)]

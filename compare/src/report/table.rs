@@ -135,7 +135,7 @@ pub(super) fn displayed(header: &str, field: &str) -> String {
 }
 
 /// Rounded to decimals, without a negative zero.
-fn rounded(value: f64, decimals: i32) -> f64 {
+pub(crate) fn rounded(value: f64, decimals: i32) -> f64 {
     let unit = 10.0_f64.powi(decimals);
     (value * unit).round() / unit + 0.0
 }
