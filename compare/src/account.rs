@@ -8,7 +8,7 @@ use crate::{CompareError, NoRun};
 
 /// Runs, or lines of a map, and those without a result.
 #[derive(Debug, Default)]
-pub(crate) struct Account {
+pub struct Account {
     failed: AtomicUsize,
     skipped: AtomicUsize,
     broken: AtomicUsize,
@@ -17,17 +17,17 @@ pub(crate) struct Account {
 
 impl Account {
     /// So many runs failed.
-    pub(crate) fn failed(&self, runs: usize) {
+    pub fn failed(&self, runs: usize) {
         self.failed.fetch_add(runs, Relaxed);
     }
 
     /// So many runs, or lines of a map, were left out at the time limit.
-    pub(crate) fn skipped(&self, runs: usize) {
+    pub fn skipped(&self, runs: usize) {
         self.skipped.fetch_add(runs, Relaxed);
     }
 
     /// The runs among these that have no result; whether the time limit has left some out.
-    pub(crate) fn enter<'a>(&self, runs: impl Iterator<Item = &'a Result<Run, NoRun>>) -> bool {
+    pub fn enter<'a>(&self, runs: impl Iterator<Item = &'a Result<Run, NoRun>>) -> bool {
         let (mut failed, mut skipped) = (0, 0);
         for none in runs.filter_map(|run| run.as_ref().err()) {
             match none {
@@ -41,13 +41,13 @@ impl Account {
     }
 
     /// So many bounds are broken, of so many.
-    pub(crate) fn broken(&self, broken: usize, bounds: usize) {
+    pub fn broken(&self, broken: usize, bounds: usize) {
         self.broken.fetch_add(broken, Relaxed);
         self.bounds.fetch_add(bounds, Relaxed);
     }
 
     /// Whether the time limit has left something out.
-    pub(crate) fn stopped(&self) -> bool {
+    pub fn stopped(&self) -> bool {
         self.skipped.load(Relaxed) > 0
     }
 
@@ -56,7 +56,7 @@ impl Account {
     /// # Errors
     /// [`CompareError::Stopped`] if the time limit has left something out, else [`CompareError::RunsFailed`] if
     /// something failed, else [`CompareError::BoundsBroken`] if bounds are broken.
-    pub(crate) fn verdict(&self) -> Result<(), CompareError> {
+    pub fn verdict(&self) -> Result<(), CompareError> {
         if self.stopped() {
             let skipped = self.skipped.load(Relaxed);
             return Err(CompareError::Stopped { skipped });

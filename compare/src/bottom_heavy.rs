@@ -6,8 +6,8 @@ use scene::{Configuration, Run, RunOptions, Sample, Scene, SceneError};
 use serde::{Deserialize, Serialize};
 
 use crate::maps::Pair;
-use crate::progress::Progress;
 use crate::sweep::SweepOptions;
+use crate::watch::{Pieces, Progress};
 use crate::{Method, Model, NoRun};
 
 /// Time between the rows of a trajectory, in `a/V_s`.
@@ -95,7 +95,7 @@ pub struct PanelRow {
 
 impl PanelRun {
     /// The samples that the panel shows.
-    pub(crate) fn shown(&self) -> impl Iterator<Item = &Sample> {
+    pub fn shown(&self) -> impl Iterator<Item = &Sample> {
         let samples = self.run.as_ref().map_or(&[][..], |run| &run.samples);
         samples.iter().filter(|s| s.t <= self.case.until)
     }
@@ -164,7 +164,7 @@ pub fn panel_runs(
     let pairs: Vec<_> = (models.iter())
         .flat_map(|model| panels.iter().map(move |panel| (model, panel)))
         .collect();
-    let progress = Progress::of(pairs.len(), "panels");
+    let progress = Progress::begin("panels", pairs.len(), Pieces::Alike);
     (pairs.into_par_iter())
         .map(|(model, panel)| {
             let late = (options.time_limit).is_some_and(|limit| started.elapsed() >= limit);

@@ -4,6 +4,7 @@ use scene::{Outcome, Run};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize};
 
+use crate::numbers::written;
 use crate::{Case, Method};
 
 /// An encounter that was run, or tried.
@@ -42,10 +43,10 @@ impl NoRun {
 }
 
 /// Outcome of a run that was not begun.
-pub(crate) const SKIPPED: &str = "skipped";
+pub const SKIPPED: &str = "skipped";
 
 /// Outcome of a run that failed.
-pub(crate) const FAILED: &str = "failed";
+pub const FAILED: &str = "failed";
 
 /// Name of a method. An alias, since serde would borrow a field of type `&str` from what it reads.
 type MethodName = &'static str;
@@ -121,6 +122,25 @@ impl Encounter {
             Ok(run) => run.outcome.to_string(),
             Err(none) => none.outcome().to_owned(),
         }
+    }
+
+    /// One line about an encounter without a result.
+    #[must_use]
+    pub fn failure(&self) -> Option<String> {
+        let reason = self.run.as_ref().err()?;
+        let Case {
+            approach,
+            beta,
+            dx,
+            dz,
+        } = self.case;
+        Some(format!(
+            "{approach}, {}, beta {}, dx {}, dz {}: {reason}",
+            self.method,
+            written(beta),
+            written(dx),
+            written(dz)
+        ))
     }
 
     /// Whether the pair parted, so that its outgoing angles mean something.

@@ -4,11 +4,6 @@ use std::path::PathBuf;
 
 use scene::SceneError;
 
-use crate::interrupt;
-
-/// Exit status of a command that the time limit stopped: that for failures which go away when one tries again.
-const STOPPED: u8 = 75;
-
 /// Everything that a command can refuse or fail at, each one line.
 #[derive(Debug, thiserror::Error)]
 pub enum CompareError {
@@ -103,9 +98,6 @@ pub enum CompareError {
     /// The boundary-element method refused its parameters.
     #[error(transparent)]
     Bem(#[from] bem::BemError),
-    /// A picture could not be drawn.
-    #[error(transparent)]
-    Figure(#[from] crate::figures::FigureError),
     /// The embedded cases do not parse.
     #[error("embedded cases: {0}")]
     Cases(#[from] toml::de::Error),
@@ -121,40 +113,12 @@ pub enum CompareError {
 
 impl CompareError {
     /// A value that is not allowed.
-    pub(crate) fn input(
-        what: &'static str,
-        value: impl ToString,
-        allowed: impl Into<String>,
-    ) -> Self {
+    #[must_use]
+    pub fn input(what: &'static str, value: impl ToString, allowed: impl Into<String>) -> Self {
         Self::Input {
             what,
             value: value.to_string(),
             allowed: allowed.into(),
-        }
-    }
-
-    /// Exit status of the command: 2 for bad input or a bad output place, 75 where the time limit stopped it, 130
-    /// where an interrupt did, 1 for a failure of the computation.
-    #[must_use]
-    pub fn exit_status(&self) -> u8 {
-        match self {
-            Self::Input { .. }
-            | Self::Read { .. }
-            | Self::SceneFile { .. }
-            | Self::Write { .. }
-            | Self::Busy { .. }
-            | Self::OtherSweep { .. }
-            | Self::Bem(_) => 2,
-            Self::Stopped { .. } => STOPPED,
-            Self::Interrupted { .. } => interrupt::STATUS,
-            Self::Scene(SceneError::Stepper { .. } | SceneError::Model { .. }) => 1,
-            Self::Scene(_) => 2,
-            Self::Rows(_)
-            | Self::Json(_)
-            | Self::Figure(_)
-            | Self::Cases(_)
-            | Self::RunsFailed { .. }
-            | Self::BoundsBroken { .. } => 1,
         }
     }
 }

@@ -9,16 +9,15 @@ use scene::{Hydrodynamics, RunOptions};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::cli::commands::failure;
 use crate::encounter::{FAILED, SKIPPED};
 use crate::maps::resume::Journal;
 use crate::output::{OutputFolder, csv_lines, csv_text, rows_of};
-use crate::streams::complain;
 use crate::sweep::{self, SweepOptions};
+use crate::watch::notice;
 use crate::{Case, CompareError, Encounter, EncounterRow, Model, NoRun, OffsetRow};
 
 /// Most runs of a sweep.
-pub(crate) const MOST_RUNS: usize = 4_000_000;
+pub const MOST_RUNS: usize = 4_000_000;
 
 /// Paths up to which a panel shows trajectories, and runs up to which a picture does.
 const MOST_PATHS: usize = 30;
@@ -34,7 +33,7 @@ const PARTS: usize = 1000;
 const REASONS: usize = 20;
 
 /// A row that says what became of a run.
-pub(crate) trait Row: Serialize + DeserializeOwned {
+pub trait Row: Serialize + DeserializeOwned {
     /// Outcome, `failed` or `skipped`.
     fn outcome(&self) -> &str;
 }
@@ -52,18 +51,22 @@ impl Row for OffsetRow {
 }
 
 /// A sweep, from its cases to its files.
-pub(crate) struct KeptRows<'a> {
+pub struct KeptRows<'a> {
     /// Name of its file, without the ending.
     pub name: &'a str,
+    /// The models.
     pub models: &'a [Model],
+    /// Its cases, in order.
     pub cases: &'a [Case],
+    /// How each run is made, and for how long.
     pub options: &'a SweepOptions,
+    /// Where rows are kept.
     pub out: &'a OutputFolder,
 }
 
 /// Which pictures of a sweep are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Drawn {
+pub enum Drawn {
     /// Trajectories and deflections.
     Paths,
     /// Deflections.
@@ -74,7 +77,7 @@ pub(crate) enum Drawn {
 
 impl Drawn {
     /// What a command that has no trajectories to draw shows of so many runs.
-    pub(crate) fn without_paths(runs: usize) -> Self {
+    pub fn without_paths(runs: usize) -> Self {
         if runs > MOST_POINTS {
             Self::Nothing
         } else {
@@ -96,7 +99,7 @@ impl Drawn {
 
 impl KeptRows<'_> {
     /// Which pictures of the encounters are drawn: panels are those of a model and a beta.
-    pub(crate) fn drawn(&self) -> Drawn {
+    pub fn drawn(&self) -> Drawn {
         let same = |a: &Case, b: &Case| a.beta.total_cmp(&b.beta).is_eq();
         let panel = self.cases.chunk_by(same).map(<[Case]>::len).max();
         Drawn::of(self.models.len() * self.cases.len(), panel.unwrap_or(0))
@@ -129,12 +132,12 @@ impl KeptRows<'_> {
     }
 
     /// Makes sure that [`Self::encounters`] loses no rows of another sweep.
-    pub(crate) fn check_encounters(&self) -> Result<(), CompareError> {
+    pub fn check_encounters(&self) -> Result<(), CompareError> {
         self.check(self.models.len() * self.cases.len())
     }
 
     /// Makes sure that [`Self::offsets`] loses no rows of another sweep.
-    pub(crate) fn check_offsets(&self, dz: &[f64]) -> Result<(), CompareError> {
+    pub fn check_offsets(&self, dz: &[f64]) -> Result<(), CompareError> {
         self.check(self.models.len() * (self.cases.len() / (1 + dz.len())))
     }
 
@@ -144,7 +147,7 @@ impl KeptRows<'_> {
 
     /// Every case by every method; `see` is handed each row in its order, and the encounters to draw are
     /// returned.
-    pub(crate) fn encounters(
+    pub fn encounters(
         &self,
         drawn: Drawn,
         see: &mut dyn FnMut(EncounterRow),
@@ -193,7 +196,7 @@ impl KeptRows<'_> {
     }
 
     /// The change of the outgoing orientations of each case by each of the offsets `dz`.
-    pub(crate) fn offsets(
+    pub fn offsets(
         &self,
         dz: &[f64],
         see: &mut dyn FnMut(OffsetRow),
@@ -237,7 +240,7 @@ impl KeptRows<'_> {
 
     fn failure(&self, encounter: &Encounter) -> Option<String> {
         match &encounter.run {
-            Err(reason @ NoRun::Failed(_)) => Some(failure(encounter, reason)),
+            Err(NoRun::Failed(_)) => encounter.failure(),
             _ => None,
         }
     }
@@ -307,15 +310,16 @@ impl KeptRows<'_> {
         };
         if left > 0 && self.holds_more(&file, &journal, chunks)? {
             fill(&mut std::io::sink())?;
-            complain!("'{file}' holds more of a sweep already and stays as it is");
+            notice!("'{file}' holds more of a sweep already and stays as it is");
         } else {
             self.out.write_by(&file, fill)?;
         }
         let left_out = (0..chunks)
             .filter(|&chunk| !journal.has(chunk))
             .flat_map(of);
-        for encounter in left_out.flat_map(skipped).take(REASONS) {
-            complain!("{}", failure(&encounter, &NoRun::Skipped));
+        let reasons_skipped = left_out.flat_map(skipped).filter_map(|e| e.failure());
+        for reason in reasons_skipped.take(REASONS) {
+            notice!("{reason}");
         }
         self.tell(&counts, reasons);
         if left == 0 {
@@ -354,13 +358,13 @@ impl KeptRows<'_> {
     fn tell(&self, counts: &Counts, reasons: Mutex<BTreeMap<usize, String>>) {
         let reasons = reasons.into_inner().unwrap_or_else(PoisonError::into_inner);
         for reason in reasons.values() {
-            complain!("{reason}");
+            notice!("{reason}");
         }
         if counts.failed > reasons.len() {
-            complain!("{} of {} rows failed", counts.failed, counts.rows);
+            notice!("{} of {} rows failed", counts.failed, counts.rows);
         }
         if counts.skipped > 0 {
-            complain!(
+            notice!(
                 "{} of {} rows are left; the same command goes on from {}.csv.part",
                 counts.skipped,
                 counts.rows,

@@ -12,7 +12,7 @@ use scene::{
     TableSummary, Tabulated, rates, run_observed, run_plan,
 };
 
-use crate::progress::Progress;
+use crate::watch::{Pieces, Progress};
 use crate::{CompareError, Method};
 
 /// Interpolation error of the tables of boundary elements, relative to the larger of the load and
@@ -292,10 +292,11 @@ fn tabulate(
         tolerance,
         smallest_gap,
     };
-    let progress = Progress::of_table(match method {
+    let what = match method {
         Method::Bem => "boundary elements",
         _ => "exact loads",
-    });
+    };
+    let progress = Progress::begin(what, 0, Pieces::Gaps);
     let follow = |table| progress.follow(table);
     Ok(match &options.cache {
         Some(folder) => Tabulated::load_or_build(model, table, folder, &follow)?,

@@ -62,7 +62,7 @@ fn number(text: &str) -> Result<f64, String> {
 ///
 /// # Errors
 /// One line that names what is no number.
-pub(crate) fn parse_number(text: &str) -> Result<f64, String> {
+pub fn parse_number(text: &str) -> Result<f64, String> {
     (text.trim().parse()).map_err(|_| format!("'{text}' is not a number{}", point_hint(text)))
 }
 
@@ -70,12 +70,12 @@ pub(crate) fn parse_number(text: &str) -> Result<f64, String> {
 ///
 /// # Errors
 /// One line that names what is none.
-pub(crate) fn parse_whole(text: &str) -> Result<usize, String> {
+pub fn parse_whole(text: &str) -> Result<usize, String> {
     (text.trim().parse()).map_err(|_| format!("'{text}' is not a whole number, 0 or more"))
 }
 
 /// What to say of a number with a decimal comma, and nothing of anything else.
-pub(crate) fn point_hint(text: &str) -> String {
+pub fn point_hint(text: &str) -> String {
     decimal_comma(text).map_or(String::new(), |at| {
         format!(": decimals take a point, {}", text[at].replace(',', "."))
     })
@@ -139,7 +139,7 @@ fn range(from: f64, to: f64, step: f64, numbers: &mut Vec<f64>) -> Result<(), St
 
 /// A number as a person reads it: with an exponent where it would otherwise be a row of zeros.
 #[must_use]
-pub(crate) fn written(value: f64) -> String {
+pub fn written(value: f64) -> String {
     // A zero has no sign.
     let value = value + 0.0;
     if is_plain(value) {
@@ -151,7 +151,7 @@ pub(crate) fn written(value: f64) -> String {
 
 /// The same with a number of digits after the point.
 #[must_use]
-pub(crate) fn rounded(value: f64, digits: usize) -> String {
+pub fn rounded(value: f64, digits: usize) -> String {
     let value = value + 0.0;
     if is_plain(value) {
         format!("{value:.digits$}")
@@ -162,7 +162,7 @@ pub(crate) fn rounded(value: f64, digits: usize) -> String {
 
 /// An error, a bound or a time, of which no more than the size is of interest.
 #[must_use]
-pub(crate) fn size(value: f64) -> String {
+pub fn size(value: f64) -> String {
     format!("{:.1e}", value + 0.0)
 }
 

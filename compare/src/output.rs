@@ -12,7 +12,7 @@ use tempfile::NamedTempFile;
 
 use crate::CompareError;
 use crate::account::Account;
-use crate::streams::complain;
+use crate::watch::notice;
 
 /// The folder that a command writes into, which is its own for as long as it runs.
 #[derive(Clone, Debug)]
@@ -45,7 +45,7 @@ impl OutputFolder {
     }
 
     /// As [`Self::open`], for a command that only writes whole files: several of these may run at once.
-    pub(crate) fn open_beside_others(path: &Path) -> Result<Self, CompareError> {
+    pub fn open_beside_others(path: &Path) -> Result<Self, CompareError> {
         Self::claim(path, Others::Alike)
     }
 
@@ -67,22 +67,22 @@ impl OutputFolder {
     }
 
     /// With or without leave to throw away what an interrupted command has left in it.
-    pub(crate) fn fresh(self, fresh: bool) -> Self {
+    pub fn fresh(self, fresh: bool) -> Self {
         Self { fresh, ..self }
     }
 
     /// Whether what an interrupted command has left may be thrown away.
-    pub(crate) fn is_fresh(&self) -> bool {
+    pub fn is_fresh(&self) -> bool {
         self.fresh
     }
 
     /// What the command has run so far, and what of it has no result.
-    pub(crate) fn account(&self) -> &Account {
+    pub fn account(&self) -> &Account {
         &self.account
     }
 
     /// The part file `name` is this command's from now on.
-    pub(crate) fn takes(&self, part: String) {
+    pub fn takes(&self, part: String) {
         let mut parts = self.parts.lock().unwrap_or_else(PoisonError::into_inner);
         parts.insert(part);
     }
@@ -94,21 +94,21 @@ impl OutputFolder {
     }
 
     /// Where it is.
-    pub(crate) fn path(&self) -> &Path {
+    pub fn path(&self) -> &Path {
         &self.path
     }
 
     /// Whether an earlier command left the file `name` here.
-    pub(crate) fn holds(&self, name: &str) -> bool {
+    pub fn holds(&self, name: &str) -> bool {
         self.path.join(name).exists()
     }
 
     /// Takes away the file `name` of an earlier command, if there is one, and says so.
-    pub(crate) fn remove(&self, name: &str) -> Result<(), CompareError> {
+    pub fn remove(&self, name: &str) -> Result<(), CompareError> {
         if self.holds(name) {
             let removed = std::fs::remove_file(self.path.join(name));
             removed.map_err(|source| self.failed(name, source))?;
-            complain!(
+            notice!(
                 "'{name}' of an earlier command is taken away: it would not fit what is here now"
             );
         }
@@ -134,11 +134,11 @@ impl OutputFolder {
     }
 
     /// Writes to the file `name` what `fill` writes, piece by piece.
-    pub(crate) fn write_by(
+    pub fn write_by<E: From<CompareError>>(
         &self,
         name: &str,
-        fill: impl FnOnce(&mut dyn Write) -> Result<(), CompareError>,
-    ) -> Result<PathBuf, CompareError> {
+        fill: impl FnOnce(&mut dyn Write) -> Result<(), E>,
+    ) -> Result<PathBuf, E> {
         let failed = |source| self.failed(name, source);
         let mut file = BufWriter::new(self.aside(name)?);
         fill(&mut file)?;
@@ -151,7 +151,7 @@ impl OutputFolder {
     }
 
     /// A file that is to become the file `name`, and goes if it does not.
-    pub(crate) fn aside(&self, name: &str) -> Result<NamedTempFile, CompareError> {
+    pub fn aside(&self, name: &str) -> Result<NamedTempFile, CompareError> {
         let failed = |source| self.failed(name, source);
         let file = NamedTempFile::new_in(&self.path).map_err(failed)?;
         // Temporary files are private; results are for everybody whom the folder lets in.
@@ -165,14 +165,14 @@ impl OutputFolder {
     }
 
     /// That the file `name` cannot be written.
-    pub(crate) fn failed(&self, name: &str, source: std::io::Error) -> CompareError {
+    pub fn failed(&self, name: &str, source: std::io::Error) -> CompareError {
         let path = self.path.join(name);
         CompareError::Write { path, source }
     }
 }
 
 /// Name of the file in which the sweep behind the file `name` is kept until it is done.
-pub(crate) fn part_of(name: &str) -> String {
+pub fn part_of(name: &str) -> String {
     format!("{name}.part")
 }
 
@@ -210,7 +210,7 @@ pub fn csv_text<T: Serialize>(rows: &[T]) -> Result<String, CompareError> {
 }
 
 /// Rows as CSV lines without a header.
-pub(crate) fn csv_lines<T: Serialize>(rows: &[T]) -> Result<String, CompareError> {
+pub fn csv_lines<T: Serialize>(rows: &[T]) -> Result<String, CompareError> {
     let mut writer = csv::WriterBuilder::new()
         .has_headers(false)
         .from_writer(Vec::new());
@@ -222,7 +222,7 @@ pub(crate) fn csv_lines<T: Serialize>(rows: &[T]) -> Result<String, CompareError
 }
 
 /// Rows from CSV lines without a header.
-pub(crate) fn rows_of<T: DeserializeOwned>(lines: &str) -> Result<Vec<T>, CompareError> {
+pub fn rows_of<T: DeserializeOwned>(lines: &str) -> Result<Vec<T>, CompareError> {
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .from_reader(lines.as_bytes());

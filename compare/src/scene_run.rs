@@ -9,9 +9,8 @@ use std::io::{BufWriter, Write};
 use scene::{Configuration, Plan, Run, RunOptions, Sample};
 use serde::Serialize;
 
-use crate::interrupt::Leaving;
 use crate::output::OutputFolder;
-use crate::progress::Progress;
+use crate::watch::{Leaving, Pieces, Progress};
 use crate::{CompareError, Method, Model};
 
 /// File of the trajectory.
@@ -173,13 +172,13 @@ fn set_aside(out: &OutputFolder) -> Result<(), CompareError> {
 }
 
 /// The files of an earlier run that a run which failed has not replaced.
-pub(crate) fn earlier(out: &OutputFolder) -> Vec<String> {
+pub fn earlier(out: &OutputFolder) -> Vec<String> {
     let names = FILES.iter().map(|file| format!("{file}{EARLIER}"));
     names.filter(|name| out.holds(name)).collect()
 }
 
 /// Takes away the files of an earlier run: those of this one are all there.
-pub(crate) fn forget_earlier(out: &OutputFolder) -> Result<(), CompareError> {
+pub fn forget_earlier(out: &OutputFolder) -> Result<(), CompareError> {
     for name in earlier(out) {
         let removed = std::fs::remove_file(out.path().join(&name));
         removed.map_err(|source| out.failed(&name, source))?;
@@ -209,9 +208,9 @@ pub fn stream(
     let mut rows = Vec::new();
     let mut written = Ok(());
     let _leaving = Leaving::of(format!("finished rows are in '{}'", partial.display()));
-    let progress = Progress::of_run(options.end_time);
+    let progress = Progress::begin("run", options.end_time.ceil() as usize, Pieces::Time);
     let run = model.run_observed(plan, options, &mut |sample| {
-        progress.reach(sample.t);
+        progress.reach(sample.t as usize);
         let row = SampleRow::from(sample);
         rows.push(row);
         if written.is_ok() {

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 use scene::RunOptions;
 
-use crate::progress::Progress;
+use crate::watch::{Pieces, Progress};
 use crate::{Case, Encounter, Model, NoRun, OffsetRow};
 
 /// How a sweep runs.
@@ -22,7 +22,7 @@ pub struct SweepOptions {
 #[must_use]
 pub fn encounters(models: &[Model], cases: &[Case], options: &SweepOptions) -> Vec<Encounter> {
     let started = Instant::now();
-    let progress = Progress::of(models.len() * cases.len(), "encounters");
+    let progress = Progress::begin("encounters", models.len() * cases.len(), Pieces::Alike);
     let pairs: Vec<_> = (models.iter())
         .flat_map(|model| cases.iter().map(move |case| (model, case)))
         .collect();

@@ -57,10 +57,12 @@ pub fn findings(rows: &[CostRow]) -> Vec<Finding> {
     findings
 }
 
-/// Names of the findings that the page speaks of.
-pub(crate) const COLLISION: &str = "slowest collision of Fig. 6, tol 1e-8";
-pub(crate) const RIGHT_HAND_SIDES: &str = "right-hand side over lubrication's";
-pub(crate) const DIRECT: &str = "solved trajectory over tabulated, least";
+/// Name of the finding on the time of a collision.
+pub const COLLISION: &str = "slowest collision of Fig. 6, tol 1e-8";
+/// Name of the finding on the price of a right-hand side.
+pub const RIGHT_HAND_SIDES: &str = "right-hand side over lubrication's";
+/// Name of the finding on the price of solving instead of tabulating.
+pub const DIRECT: &str = "solved trajectory over tabulated, least";
 
 /// Times of trajectories, right-hand sides and velocities, and their ratios.
 fn speeds(rows: &[CostRow]) -> Vec<Finding> {

@@ -18,9 +18,9 @@ use scene::LoadSet;
 
 use crate::CompareError;
 
-pub(crate) use findings::{COLLISION, DIRECT, RIGHT_HAND_SIDES};
+pub use findings::{COLLISION, DIRECT, RIGHT_HAND_SIDES};
 pub use findings::{Finding, findings};
-pub(crate) use recommend::parse_target;
+pub use recommend::parse_target;
 pub use recommend::{Recommendation, recommend};
 pub use row::{CostRow, Part, read};
 

@@ -69,7 +69,7 @@ pub fn recommend(rows: &[CostRow], target_deg: f64) -> Vec<Recommendation> {
 ///
 /// # Errors
 /// [`CompareError::Input`] unless it is a positive number with or without `deg`.
-pub(crate) fn parse_target(text: &str) -> Result<f64, CompareError> {
+pub fn parse_target(text: &str) -> Result<f64, CompareError> {
     let number = text.trim().trim_end_matches("deg").trim();
     match number.parse::<f64>() {
         Ok(value) if value > 0.0 && value.is_finite() => Ok(value),

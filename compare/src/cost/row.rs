@@ -73,7 +73,7 @@ pub struct CostRow {
 
 impl CostRow {
     /// A row in which nothing has been measured yet.
-    pub(crate) fn new(
+    pub fn new(
         part: Part,
         model: impl Into<String>,
         (knob, value): (&str, f64),

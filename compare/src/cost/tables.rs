@@ -8,7 +8,7 @@ use scene::{TableOptions, Tabulated};
 
 use super::{CostOptions, LOADS};
 use crate::model::{AnyModel, EXACT_TABLE_FROM};
-use crate::progress::Progress;
+use crate::watch::{Pieces, Progress};
 use crate::{BEM_TABLE_TOLERANCE, CompareError, EXACT_TABLE_TOLERANCE};
 
 /// Smallest gap of the tables that only this measurement reads: below what repulsion lets the paper's pairs reach. At much smaller gaps
@@ -102,7 +102,7 @@ fn build(
         tolerance,
         smallest_gap,
     };
-    let progress = Progress::of_table("a table to measure");
+    let progress = Progress::begin("a table to measure", 0, Pieces::Gaps);
     let table = Tabulated::build(model, options, &|table| progress.follow(table))?;
     drop(progress);
     let name = match level {

@@ -23,7 +23,7 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use scene::RunOptions;
 
-use crate::progress::Progress;
+use crate::watch::{Pieces, Progress};
 use crate::{CompareError, Method, Model, ModelOptions};
 pub use rows::{HardCaseRow, Rows};
 
@@ -143,7 +143,7 @@ pub const GROUPS: [Group; 10] = [
 #[must_use]
 pub fn all_rows(bench: &Bench) -> Vec<HardCaseRow> {
     let next = AtomicUsize::new(0);
-    let progress = Progress::of_unlike(GROUPS.len(), "groups of hard cases");
+    let progress = Progress::begin("groups of hard cases", GROUPS.len(), Pieces::Unlike);
     let work = || {
         let mut done = Vec::new();
         while let Some(group) = GROUPS.get(next.fetch_add(1, Relaxed)) {

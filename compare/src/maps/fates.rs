@@ -46,11 +46,11 @@ pub struct FateRow {
 }
 
 /// A share of the plane.
-pub(crate) type Share = fn(&FateRow) -> f64;
+pub type Share = fn(&FateRow) -> f64;
 
 impl FateRow {
     /// Every outcome's share by its name, in the order of the columns.
-    pub(crate) const SHARES: [(&'static str, Share); 10] = [
+    pub const SHARES: [(&'static str, Share); 10] = [
         ("scattered", |row| row.scattered),
         ("standoff", |row| row.standoff),
         ("pairwise", |row| row.pairwise),
@@ -116,12 +116,13 @@ impl Maps<'_> {
             return Ok(None);
         };
         let mut rows = Vec::new();
-        self.hand_over(journal, false, &mut |model, pair, counts: Vec<Counts>| {
+        let mut see = |model: &Model, pair, counts: Vec<Counts>| -> Result<(), CompareError> {
             let failed = counts.iter().map(Counts::without_result).sum();
             self.out.account().failed(failed);
             rows.push(fate_row(model.method(), pair, &counts));
             Ok(())
-        })?;
+        };
+        self.hand_over(journal, false, &mut see)?;
         Ok(Some(rows))
     }
 }

@@ -15,21 +15,21 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::output::{OutputFolder, csv_text, rows_of};
-use crate::streams::complain;
 use crate::sweep::SweepOptions;
+use crate::watch::notice;
 use crate::{CompareError, Model};
 use resume::Journal;
 
 pub use bound::{BoundExample, BoundRow, bound_examples, bound_rows};
-pub(crate) use fates::Share;
+pub use fates::Share;
 pub use fates::{FateRow, fates_of};
 pub use grid::{Grid, Pair, unsymmetric_starts};
 pub use scatter::{ScatterRow, scatter_row};
-pub(crate) use trust::{CLASSES as TRUST_CLASSES, same_map};
+pub use trust::{CLASSES as TRUST_CLASSES, same_map};
 pub use trust::{TrustRow, TrustShares, trust_rows, trust_shares};
 
 /// What is handed a map's model, pair and rows.
-pub type SeeMap<'s, R> = dyn FnMut(&Model, Pair, Vec<R>) -> Result<(), CompareError> + 's;
+pub type SeeMap<'s, R, E> = dyn FnMut(&Model, Pair, Vec<R>) -> Result<(), E> + 's;
 
 /// Maps of every model and pair, in this order: each a grid of which every line of constant `Sigma` is computed, and
 /// kept, by itself. What was stopped goes on with the lines that are missing.
@@ -114,7 +114,7 @@ impl Maps<'_> {
         })?;
         if left > 0 {
             self.out.account().skipped(left);
-            complain!(
+            notice!(
                 "skipped: the time limit was reached before {left} of {chunks} lines of constant \
                  Sigma; the same command goes on from {}.csv.part",
                 self.name
@@ -141,13 +141,13 @@ impl Maps<'_> {
     }
 
     /// Hands each map's rows to `see`, one map at a time, and writes them to the maps' file if they are to be kept.
-    fn hand_over<R: Serialize + DeserializeOwned>(
+    fn hand_over<R: Serialize + DeserializeOwned, E: From<CompareError>>(
         &self,
         journal: Journal,
         kept: bool,
-        see: &mut SeeMap<'_, R>,
-    ) -> Result<(), CompareError> {
-        let mut maps = |file: Option<&mut dyn Write>| -> Result<(), CompareError> {
+        see: &mut SeeMap<'_, R, E>,
+    ) -> Result<(), E> {
+        let mut maps = |file: Option<&mut dyn Write>| -> Result<(), E> {
             let mut file = file;
             for (map, (model, pair)) in self.each().enumerate() {
                 let rows = self.rows_of_map(&journal, map)?;
@@ -164,7 +164,7 @@ impl Maps<'_> {
         }
         let name = format!("{}.csv", self.name);
         self.out.write_by(&name, |file| maps(Some(file)))?;
-        journal.close()
+        Ok(journal.close()?)
     }
 
     /// Writes a map's lines, below the header if it is the first one.

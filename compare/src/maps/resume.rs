@@ -16,10 +16,8 @@ use std::time::{Duration, Instant};
 use rayon::prelude::*;
 
 use crate::CompareError;
-use crate::interrupt::{self, Keeping};
 use crate::output::{OutputFolder, part_of};
-use crate::progress::Progress;
-use crate::streams::complain;
+use crate::watch::{self, Keeping, Pieces, Progress, notice};
 
 const DONE: &str = "done ";
 
@@ -177,14 +175,14 @@ impl Journal {
     ) -> Result<usize, CompareError> {
         let started = Instant::now();
         let pending: Vec<usize> = (0..chunks).filter(|&chunk| !self.has(chunk)).collect();
-        let progress = Progress::of(pending.len(), what);
+        let progress = Progress::begin(what, pending.len(), Pieces::Alike);
         let _keeping = Keeping::begin();
         let left = (pending.into_par_iter())
             // Chunks differ in price: each thread takes the next one.
             .with_max_len(1)
             .map(|chunk| -> Result<usize, CompareError> {
                 let late = time_limit.is_some_and(|limit| started.elapsed() >= limit);
-                if late || interrupt::requested() {
+                if late || watch::stop_requested() {
                     return Ok(1);
                 }
                 let lines = compute(chunk)?;
@@ -193,7 +191,7 @@ impl Journal {
                 Ok(0)
             })
             .try_reduce(|| 0, |a, b| Ok(a + b))?;
-        if interrupt::requested() {
+        if watch::stop_requested() {
             let path = self.path.clone();
             return Err(CompareError::Interrupted {
                 left,
@@ -222,11 +220,11 @@ impl Found {
     fn judge(&self, path: &std::path::Path, fresh: bool) -> Result<(), CompareError> {
         self.refuse_other(path, fresh)?;
         match *self {
-            Self::Same { damaged } if damaged > 0 && !fresh => complain!(
+            Self::Same { damaged } if damaged > 0 && !fresh => notice!(
                 "'{}': {damaged} finished pieces were edited or damaged and are computed again",
                 path.display()
             ),
-            _ if fresh => complain!("'{}' is thrown away", path.display()),
+            _ if fresh => notice!("'{}' is thrown away", path.display()),
             _ => {}
         }
         Ok(())

@@ -80,7 +80,10 @@ impl Maps<'_> {
     ///
     /// # Errors
     /// [`CompareError::Write`] if rows cannot be kept; those of `see`.
-    pub fn scatter(&self, see: &mut SeeMap<'_, ScatterRow>) -> Result<bool, CompareError> {
+    pub fn scatter<E: From<CompareError>>(
+        &self,
+        see: &mut SeeMap<'_, ScatterRow, E>,
+    ) -> Result<bool, E> {
         let journal = self.lines(|model, pair, sigma, options| {
             csv_lines(&line(model, pair, self.grid, sigma, options))
         })?;

@@ -88,7 +88,7 @@ impl TrustRow {
 const BOUNDS_DEG: [f64; 3] = [5.0, 15.0, 45.0];
 
 /// The classes of trust.
-pub(crate) const CLASSES: [&str; 7] = [
+pub const CLASSES: [&str; 7] = [
     "up to 5°",
     "5° to 15°",
     "15° to 45°",
@@ -168,7 +168,7 @@ pub fn trust_shares(rows: &[TrustRow]) -> Vec<TrustShares> {
 }
 
 /// Whether two rows belong to the same map.
-pub(crate) fn same_map(a: &TrustRow, b: &TrustRow) -> bool {
+pub fn same_map(a: &TrustRow, b: &TrustRow) -> bool {
     let key = |row: &TrustRow| (row.beta.to_bits(), row.g.to_bits(), row.dz.to_bits());
     a.method == b.method && key(a) == key(b)
 }
@@ -188,10 +188,14 @@ impl Maps<'_> {
     ///
     /// # Errors
     /// [`CompareError::Write`] if rows cannot be kept; [`CompareError::Input`] without an exact model; those of `see`.
-    pub fn trust(&self, kept: bool, see: &mut SeeMap<'_, TrustRow>) -> Result<bool, CompareError> {
+    pub fn trust<E: From<CompareError>>(
+        &self,
+        kept: bool,
+        see: &mut SeeMap<'_, TrustRow, E>,
+    ) -> Result<bool, E> {
         let Some(exact) = self.exact else {
             let allowed = "name exact, and what it is to judge, such as lt,exact";
-            return Err(CompareError::input("--method", "without exact", allowed));
+            return Err(CompareError::input("--method", "without exact", allowed).into());
         };
         let journal = self.lines(|model, pair, sigma, options| {
             let judged = line(model, pair, self.grid, sigma, options);

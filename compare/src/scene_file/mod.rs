@@ -18,7 +18,7 @@ use self::table::Table;
 use crate::{Method, ModelOptions};
 
 /// Time between samples unless the file says otherwise, in `a/V_s`.
-pub(crate) const SAMPLE_INTERVAL: f64 = 0.05;
+pub const SAMPLE_INTERVAL: f64 = 0.05;
 
 /// Longest run, in `a/V_s`.
 const LONGEST: f64 = 1e6;

@@ -1,7 +1,0 @@
-//! The command `squirmers`.
-
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
-    compare::cli::run(std::env::args_os())
-}

@@ -1,0 +1,9 @@
+//! Questions that are asked of the models, one file each: rows and what they say.
+
+mod comparison;
+mod load_errors;
+mod mesh_errors;
+
+pub use comparison::{ComparisonRow, comparison};
+pub use load_errors::{LoadErrorRow, load_errors};
+pub use mesh_errors::{MeshErrorRow, mesh_errors};

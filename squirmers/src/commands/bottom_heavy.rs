@@ -1,0 +1,91 @@
+//! The command for bottom-heavy squirmers.
+
+use clap::Arg;
+
+use super::maps::METHODS;
+use super::{model_options, set_up, sweep_options};
+use crate::arguments::{Arguments, ModelArguments, RunArguments};
+use crate::error::CommandError;
+use crate::pictures;
+use crate::streams::complain;
+use crate::terminal::print_rows;
+use compare::bottom_heavy::{PanelCase, PanelRun, panel_runs};
+use compare::numbers::{rounded, written};
+use compare::output::csv_text;
+use compare::{Defaults, NoRun};
+
+/// The argument `--time-limit` of this command, which keeps no runs: it needs each whole for its picture.
+pub(crate) fn time_limit(arg: Arg) -> Arg {
+    arg.help(
+        "Begin no further run after this time; those left out are reported (exit status 75), and the same command begins \
+         anew",
+    )
+}
+
+pub(super) fn run(
+    models: &ModelArguments,
+    runs: &RunArguments,
+    general: &Arguments,
+) -> Result<(), CommandError> {
+    let (methods, options) = model_options(models, &METHODS, general)?;
+    let sweep = sweep_options(runs)?;
+    let panels = Defaults::paper()?.bottom_heavy;
+    let out = general.output()?;
+    let options = options.for_scenes(panels.iter().map(PanelCase::scene))?;
+    let models = set_up(&methods, &options)?;
+    let models: Vec<_> = models.iter().collect();
+    let runs = panel_runs(&models, &panels, &sweep);
+    let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
+    let stopped = out.account().enter(runs.iter().map(|run| &run.run));
+    if stopped && out.holds("bottom-heavy.csv") {
+        complain!("'bottom-heavy.csv' holds more already and stays as it is");
+    } else {
+        out.write("bottom-heavy.csv", &csv_text(&rows)?)?;
+    }
+    if !stopped && let Some(picture) = pictures::of_bottom_heavy(&runs)? {
+        out.write(&picture.file_name, &picture.svg)?;
+    }
+    print(&runs);
+    for run in &runs {
+        if let Err(reason) = &run.run {
+            complain!("{}", failure(run, reason));
+        }
+    }
+    Ok(out.account().verdict()?)
+}
+
+/// One line about a run without a result.
+pub(crate) fn failure(run: &PanelRun, reason: &NoRun) -> String {
+    format!("panel {}, {}: {reason}", run.case.panel, run.method)
+}
+
+fn print(runs: &[PanelRun]) {
+    let header = [
+        "panel",
+        "method",
+        "beta",
+        "g",
+        "delta",
+        "sigma",
+        "outcome",
+        "min gap [a]",
+        "depth over alone",
+    ];
+    print_rows(
+        &header,
+        runs.iter().map(|run| {
+            let row = run.summary();
+            vec![
+                row.panel,
+                row.method.to_owned(),
+                written(row.beta),
+                written(row.g),
+                written(row.delta),
+                written(row.sigma),
+                row.outcome,
+                rounded(row.min_gap, 5),
+                rounded(row.depth_ratio, 3),
+            ]
+        }),
+    );
+}

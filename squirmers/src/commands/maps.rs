@@ -1,0 +1,260 @@
+//! The commands that map the plane of initial directions.
+
+use clap::{Arg, Args};
+
+use super::{model_options, set_up, sweep_options};
+use crate::arguments::{Arguments, ModelArguments, RunArguments};
+use crate::error::CommandError;
+use crate::pictures::{self, Picture};
+use crate::streams::say;
+use crate::terminal::print_rows;
+use compare::maps::{self, BoundExample, FateRow, Grid, Maps, Pair, TrustShares};
+use compare::numbers::{Numbers, parse_numbers, parse_whole, rounded, written};
+use compare::output::{OutputFolder, csv_text};
+use compare::sweep::SweepOptions;
+use compare::{Method, Model};
+
+/// The methods that maps run when none are named.
+pub(crate) const METHODS: [Method; 2] = [Method::Lt, Method::Exact];
+
+/// Arguments of the commands that map the plane of initial directions.
+#[derive(Debug, Args)]
+pub(crate) struct MapArguments {
+    /// Squirmer parameters B2/B1 [default: the paper's]
+    #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
+    pub beta: Option<Numbers>,
+    /// Bottom-heavinesses G_bh, with gravity along -y [default: 0]
+    #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
+    pub g: Option<Numbers>,
+    /// Points a side, evenly from 0.01 to 1.99, in Delta and Sigma; an even number avoids the singular
+    /// lines Delta = 1 and Sigma = 1
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 100,
+        value_parser = parse_whole,
+        allow_hyphen_values = true
+    )]
+    pub grid: usize,
+    #[command(flatten)]
+    pub models: ModelArguments,
+    #[command(flatten)]
+    pub runs: RunArguments,
+}
+
+/// The argument `--method` of a map.
+pub(crate) fn methods(arg: Arg) -> Arg {
+    arg.help("Methods: lt (as published), lt-corrected, exact, bem [default: lt,exact]")
+}
+
+/// The argument `--tol` of a map.
+pub(crate) fn tolerance(arg: Arg) -> Arg {
+    arg.default_value("1e-7")
+}
+
+/// The argument `--time-limit` of a map.
+pub(crate) fn time_limit(arg: Arg) -> Arg {
+    arg.help(
+        "Begin no further line of a map after this time; the same command goes on later (exit status 75)",
+    )
+}
+
+/// Arguments of `trust`.
+#[derive(Debug, Args)]
+pub(crate) struct TrustArguments {
+    #[command(flatten)]
+    map: MapArguments,
+    /// Offsets out of the plane, in radii: the first squirmer starts raised by dz/2, the second lowered
+    /// [default: 0]
+    #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
+    dz: Option<Numbers>,
+}
+
+/// What a map's command runs, checked.
+struct Checked {
+    models: Vec<Model>,
+    pairs: Vec<Pair>,
+    grid: Grid,
+    sweep: SweepOptions,
+    out: OutputFolder,
+}
+
+impl Checked {
+    /// Its maps, kept under this name, judged by an exact model if they are.
+    fn maps<'a>(&'a self, name: &'static str, exact: Option<&'a Model>) -> Maps<'a> {
+        Maps {
+            name,
+            models: self.models.iter().collect(),
+            exact,
+            pairs: self.pairs.clone(),
+            grid: self.grid,
+            options: self.sweep,
+            out: &self.out,
+        }
+    }
+}
+
+fn checked(
+    arguments: &MapArguments,
+    beta: &[f64],
+    dz: &Option<Numbers>,
+    general: &Arguments,
+) -> Result<Checked, CommandError> {
+    let (methods, options) = model_options(&arguments.models, &METHODS, general)?;
+    let sweep = sweep_options(&arguments.runs)?;
+    let grid = Grid::new(arguments.grid)?;
+    let list = |given: &Option<Numbers>, default: &[f64]| {
+        (given.as_ref()).map_or(default.to_vec(), |list| list.0.clone())
+    };
+    let g = list(&arguments.g, &[0.0]);
+    let dz = list(dz, &[0.0]);
+    let mut pairs = Vec::new();
+    for beta in list(&arguments.beta, beta) {
+        for &g in &g {
+            pairs.extend(dz.iter().map(|&dz| Pair { beta, g, dz }));
+        }
+    }
+    let out = general.output()?;
+    let options = options.for_scenes(maps::unsymmetric_starts(&pairs))?;
+    Ok(Checked {
+        models: set_up(&methods, &options)?,
+        pairs,
+        grid,
+        sweep,
+        out,
+    })
+}
+
+/// Squirmer parameters of the paper's Figs 2-4.
+pub(crate) const SCATTER_BETA: [f64; 5] = [0.0, 1.0, 5.0, -1.0, -5.0];
+
+pub(super) fn scatter(arguments: &MapArguments, general: &Arguments) -> Result<(), CommandError> {
+    let run = checked(arguments, &SCATTER_BETA, &None, general)?;
+    let mut shares = Vec::new();
+    run.maps("scatter", None)
+        .scatter(&mut |model, pair, rows| {
+            shares.push(maps::fates_of(model, pair, &rows));
+            write_pictures(pictures::of_scatter(&rows)?, &run.out)
+        })?;
+    if !shares.is_empty() {
+        print_fates(&shares);
+    }
+    Ok(run.out.account().verdict()?)
+}
+
+pub(super) fn fates(arguments: &MapArguments, general: &Arguments) -> Result<(), CommandError> {
+    let beta: Vec<f64> = (-10..=10).map(f64::from).collect();
+    let run = checked(arguments, &beta, &None, general)?;
+    let Some(rows) = run.maps("fates", None).fates()? else {
+        return Ok(run.out.account().verdict()?);
+    };
+    run.out.write("fates.csv", &csv_text(&rows)?)?;
+    write_pictures(pictures::of_fates(&rows)?, &run.out)?;
+    print_fates(&rows);
+    Ok(run.out.account().verdict()?)
+}
+
+pub(super) fn trust(arguments: &TrustArguments, general: &Arguments) -> Result<(), CommandError> {
+    let mut run = checked(&arguments.map, &SCATTER_BETA, &arguments.dz, general)?;
+    let exact = run.models.iter().position(|m| m.method() == Method::Exact);
+    let exact = exact.map(|place| run.models.remove(place));
+    if run.models.is_empty() {
+        let allowed = "name a method that it is to judge too, such as lt,exact";
+        return Err(CommandError::input("--method", "exact", allowed));
+    }
+    let all: Vec<&Model> = run.models.iter().chain(&exact).collect();
+    let mut betas: Vec<f64> = run.pairs.iter().map(|pair| pair.beta).collect();
+    betas.dedup();
+    let (mut shares, mut examples) = (Vec::new(), Vec::new());
+    let mut states = Vec::new();
+    let maps = run.maps("trust", exact.as_ref());
+    let complete = maps.trust(true, &mut |_, pair, rows| {
+        if shares.is_empty() {
+            states = maps::bound_rows(&all, &betas)?;
+        }
+        shares.extend(maps::trust_shares(&rows));
+        if pair.g == 0.0 && pair.dz == 0.0 {
+            examples.extend(maps::bound_examples(&rows, &states));
+        }
+        write_pictures(pictures::of_trust(&rows)?, &run.out)
+    })?;
+    if !complete {
+        return Ok(run.out.account().verdict()?);
+    }
+    write_pictures(pictures::of_trust_against_offset(&shares)?, &run.out)?;
+    print_trust(&shares);
+    run.out.write("bound-states.csv", &csv_text(&states)?)?;
+    run.out.write("trust-examples.csv", &csv_text(&examples)?)?;
+    say!("");
+    print_examples(&examples);
+    Ok(run.out.account().verdict()?)
+}
+
+/// Which bound states one model has and the other has not; how fast they grow is in the file alone, for names of
+/// outcomes would not fit beside it.
+fn print_examples(examples: &[BoundExample]) {
+    let header = [
+        "judged",
+        "beta",
+        "its outcome",
+        "exact",
+        "%",
+        "Delta",
+        "Sigma",
+        "the other has it",
+        "gap [a]",
+    ];
+    let line = |row: &BoundExample| {
+        vec![
+            row.method.clone(),
+            written(row.beta),
+            row.outcome_lt.clone(),
+            row.outcome_exact.clone(),
+            percent(row.share),
+            rounded(row.delta, 3),
+            rounded(row.sigma, 3),
+            row.state.to_owned(),
+            rounded(row.gap, 3),
+        ]
+    };
+    print_rows(&header, examples.iter().map(line));
+}
+
+fn write_pictures(pictures: Vec<Picture>, out: &OutputFolder) -> Result<(), CommandError> {
+    for picture in pictures {
+        out.write(&picture.file_name, &picture.svg)?;
+    }
+    Ok(())
+}
+
+fn percent(share: f64) -> String {
+    format!("{:.2}", 100.0 * share)
+}
+
+/// Shares in per cent, of the outcomes that occur.
+fn print_fates(rows: &[FateRow]) {
+    let occur: Vec<_> = (FateRow::SHARES.into_iter())
+        .filter(|(_, share)| rows.iter().any(|row| share(row) > 0.0))
+        .collect();
+    let header = ["%", "beta", "g"].into_iter();
+    let header: Vec<_> = header.chain(occur.iter().map(|(name, _)| *name)).collect();
+    let line = |row: &FateRow| {
+        let place = [row.method.clone(), written(row.beta), written(row.g)];
+        let shares = occur.iter().map(|(_, share)| percent(share(row)));
+        place.into_iter().chain(shares).collect()
+    };
+    print_rows(&header, rows.iter().map(line));
+}
+
+fn print_trust(shares: &[TrustShares]) {
+    let mut header = vec!["%", "beta", "g", "dz"];
+    header.extend(maps::TRUST_CLASSES);
+    let line = |row: &TrustShares| {
+        let numbers = [row.beta, row.g, row.dz].map(written);
+        let mut line = vec![row.method.clone()];
+        line.extend(numbers);
+        line.extend(row.in_order().map(percent));
+        line
+    };
+    print_rows(&header, shares.iter().map(line));
+}

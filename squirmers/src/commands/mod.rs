@@ -1,0 +1,141 @@
+//! The commands, from checked arguments to files.
+
+pub(crate) mod bottom_heavy;
+pub(crate) mod cost;
+pub(crate) mod encounters;
+mod hard_cases;
+mod loads;
+mod many;
+pub(crate) mod maps;
+pub(crate) mod scene;
+
+use std::time::Duration;
+
+use ::scene::{LoadSet, MAX_MODES, RunOptions};
+use compare::scene_file::SAMPLE_INTERVAL;
+use compare::sweep::SweepOptions;
+use compare::{Approach, Method, Model, ModelOptions};
+
+use crate::arguments::{Arguments, Command, ModelArguments, RunArguments};
+use crate::error::CommandError;
+use crate::report;
+use crate::streams::say;
+
+pub(crate) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), CommandError> {
+    match &arguments.command {
+        Command::Loads {
+            gap,
+            modes,
+            swirl,
+            models,
+        } => {
+            let set = LoadSet::all(highest("--modes", *modes)?);
+            let set = set.with_swirl(highest("--swirl", *swirl)?);
+            loads::run(gap, set, models, arguments)
+        }
+        Command::HeadOn(given) => encounters::encounters(Approach::HeadOn, given, arguments),
+        Command::Orthogonal(given) => {
+            encounters::encounters(Approach::Orthogonal, given, arguments)
+        }
+        Command::Offset { dz, models, runs } => {
+            encounters::offset(dz.as_ref(), models, runs, arguments)
+        }
+        Command::Cost(cost) => cost::run(cost, arguments, typed),
+        Command::Scatter(map) => maps::scatter(map, arguments),
+        Command::Fates(map) => maps::fates(map, arguments),
+        Command::BottomHeavy { models, runs } => bottom_heavy::run(models, runs, arguments),
+        Command::HardCases => hard_cases::run(arguments),
+        Command::Trust(map) => maps::trust(map, arguments),
+        Command::Run(run) => scene::run(run, arguments),
+        Command::Explain(explain) => scene::explain(explain, arguments),
+        Command::Report { models, runs } => {
+            let (methods, options) = model_options(models, &Method::DEFAULT, arguments)?;
+            let sweep = sweep_options(runs)?;
+            let out = arguments.output()?;
+            let path = report::write(&methods, &options, &sweep, &out, typed)?;
+            say!("{}", path.display());
+            Ok(out.account().verdict()?)
+        }
+    }
+}
+
+/// Checks the methods, `default` if none are named, and what they need.
+pub(super) fn model_options(
+    arguments: &ModelArguments,
+    default: &[Method],
+    general: &Arguments,
+) -> Result<(Vec<Method>, ModelOptions), CommandError> {
+    let methods = (arguments.method.as_ref()).map_or(default.to_vec(), |m| m.0.clone());
+    let mut options = ModelOptions {
+        direct: arguments.direct,
+        ..ModelOptions::default()
+    };
+    if let Some(cache) = &general.cache {
+        options.cache = Some(cache.clone());
+    }
+    if let Some(mesh) = arguments.mesh {
+        if !methods.contains(&Method::Bem) {
+            let allowed = "no boundary elements run: leave it out, or name bem with --method";
+            return Err(CommandError::input("--mesh", mesh, allowed));
+        }
+        options.mesh = mesh;
+    }
+    Ok((methods, options))
+}
+
+pub(super) fn set_up(
+    methods: &[Method],
+    options: &ModelOptions,
+) -> Result<Vec<Model>, CommandError> {
+    (methods.iter())
+        .map(|&method| Ok(Model::set_up(method, options)?))
+        .collect()
+}
+
+pub(super) fn sweep_options(runs: &RunArguments) -> Result<SweepOptions, CommandError> {
+    let (tolerance, angles_at) = (runs.tol, runs.departure);
+    if !(1e-14..=1e-2).contains(&tolerance) {
+        let allowed = "give a number from 1e-14 to 1e-2";
+        return Err(CommandError::input(
+            "--tol",
+            format!("{tolerance:?}"),
+            allowed,
+        ));
+    }
+    if angles_at.is_nan() || angles_at <= 2.0 {
+        let allowed = "give a distance of the centres greater than 2 (radii), or inf";
+        return Err(CommandError::input(
+            "--departure",
+            format!("{angles_at:?}"),
+            allowed,
+        ));
+    }
+    let time_limit = match runs.time_limit {
+        None => None,
+        Some(seconds) => Some(Duration::try_from_secs_f64(seconds).map_err(|_| {
+            CommandError::input(
+                "--time-limit",
+                seconds,
+                "give a number of seconds, 0 or more",
+            )
+        })?),
+    };
+    Ok(SweepOptions {
+        run: RunOptions {
+            tolerance,
+            angles_at,
+            sample_interval: Some(SAMPLE_INTERVAL),
+            ..RunOptions::default()
+        },
+        time_limit,
+    })
+}
+
+/// A highest slip mode, if loads can hold so many.
+fn highest(what: &'static str, modes: usize) -> Result<usize, CommandError> {
+    if modes > MAX_MODES {
+        let allowed = format!("modes go from 0 (none) to {MAX_MODES}");
+        return Err(CommandError::input(what, modes, allowed));
+    }
+    Ok(modes)
+}

@@ -1,0 +1,198 @@
+//! `squirmers run` and `squirmers explain`: one scene from its file.
+
+use std::fs::File;
+use std::io::{ErrorKind, Read};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::Args;
+use scene::{Outcome, Plan, Run};
+
+use crate::arguments::Arguments;
+use crate::error::CommandError;
+use crate::streams::{complain, say};
+use crate::terminal::{print_rows, words};
+use compare::numbers::{rounded, size};
+use compare::scene_run::{self, SampleRow, Summary};
+use compare::{CompareError, Model, ModelOptions, SceneFile};
+
+/// Longest scene file, in bytes.
+const LONGEST_FILE: u64 = 1 << 20;
+
+#[derive(Debug, Args)]
+pub(crate) struct RunArguments {
+    /// Scene file (docs/SCENES.md lists its keys)
+    #[arg(value_name = "SCENE.toml")]
+    file: PathBuf,
+    /// Print the summary as one JSON object, and nothing else, on standard output
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ExplainArguments {
+    /// Scene file (docs/SCENES.md lists its keys)
+    #[arg(value_name = "SCENE.toml")]
+    file: PathBuf,
+}
+
+fn read(path: &Path) -> Result<SceneFile, CommandError> {
+    let failed = |source| CompareError::Read {
+        path: path.to_owned(),
+        source,
+    };
+    let file = File::open(path).map_err(failed)?;
+    let mut text = String::new();
+    // Some files have no end.
+    let read = file.take(LONGEST_FILE + 1).read_to_string(&mut text);
+    if text.len() as u64 > LONGEST_FILE {
+        let reason = format!("it is longer than {LONGEST_FILE} bytes, which no scene file is");
+        return Err(failed(std::io::Error::new(ErrorKind::FileTooLarge, reason)).into());
+    }
+    read.map_err(failed)?;
+    let parsed = SceneFile::parse(&text).map_err(|mistakes| CompareError::SceneFile {
+        path: path.to_owned(),
+        mistakes,
+    });
+    Ok(parsed?)
+}
+
+fn set_up(file: &SceneFile, plan: &Plan, general: &Arguments) -> Result<Model, CommandError> {
+    let mut options = ModelOptions::default();
+    if let Some(cache) = &general.cache {
+        options.cache = Some(cache.clone());
+    }
+    let options = file.model_options(plan, options);
+    Ok(Model::set_up(file.method, &options)?)
+}
+
+pub(super) fn run(arguments: &RunArguments, general: &Arguments) -> Result<(), CommandError> {
+    let file = read(&arguments.file)?;
+    let plan = Plan::new(&file.scene)?;
+    let out = general.output()?;
+    let model = set_up(&file, &plan, general)?;
+    let started = Instant::now();
+    let streamed = scene_run::stream(&model, &plan, &file.run, &out);
+    if streamed.is_err() {
+        let earlier = scene_run::earlier(&out);
+        if !earlier.is_empty() {
+            complain!("files of an earlier run: {}", earlier.join(", "));
+        }
+    }
+    let (run, rows) = streamed?;
+    let seconds = started.elapsed().as_secs_f64();
+    let svg = crate::figures::scene_run(&file.scene, &rows, !plan.is_level())?;
+    out.write("run.svg", &svg)?;
+    let summary = Summary::new(&run, &plan, file.method, seconds);
+    let json = summary.json()?;
+    out.write("run.json", &json)?;
+    scene_run::forget_earlier(&out)?;
+    if arguments.json {
+        say!("{json}");
+    } else {
+        print_summary(&summary, &run, &rows);
+    }
+    Ok(())
+}
+
+fn print_summary(summary: &Summary, run: &Run, rows: &[SampleRow]) {
+    let mut lines = vec![
+        ["outcome".to_owned(), summary.outcome.clone()],
+        ["end time [a/V_s]".to_owned(), rounded(summary.end_time, 6)],
+        ["smallest gap [a]".to_owned(), rounded(summary.min_gap, 6)],
+        [
+            "time at gaps up to 1".to_owned(),
+            rounded(summary.contact_time, 6),
+        ],
+        [
+            "deflection 1 [deg]".to_owned(),
+            rounded(summary.deflection1_deg, 6),
+        ],
+        [
+            "deflection 2 [deg]".to_owned(),
+            rounded(summary.deflection2_deg, 6),
+        ],
+        ["method".to_owned(), summary.method.to_owned()],
+        [
+            "state".to_owned(),
+            format!("{}, {} numbers", summary.state, summary.numbers),
+        ],
+        [
+            "steps".to_owned(),
+            format!("{} ({} rejected)", summary.steps, summary.rejected),
+        ],
+        ["loads".to_owned(), format!("{}", summary.loads)],
+        ["free flights".to_owned(), format!("{}", summary.flights)],
+        ["samples".to_owned(), format!("{}", rows.len())],
+    ];
+    if run.outcome == Outcome::Unresolved {
+        lines.push([
+            "ended at gap [a]".to_owned(),
+            format!(
+                "{}, the smallest that the model resolves",
+                rounded(run.end.gap.eps(), 6)
+            ),
+        ]);
+    }
+    if let Some(settled) = run.settled {
+        lines.push(["steady from t =".to_owned(), rounded(settled, 4)]);
+    }
+    print_rows(&["", ""], lines.into_iter().map(Vec::from));
+}
+
+pub(super) fn explain(
+    arguments: &ExplainArguments,
+    general: &Arguments,
+) -> Result<(), CommandError> {
+    let file = read(&arguments.file)?;
+    let plan = Plan::new(&file.scene)?;
+    let model = set_up(&file, &plan, general)?;
+    let needed = plan.needed_loads();
+    let classes: Vec<_> = (needed.symmetry_classes().iter())
+        .map(ToString::to_string)
+        .collect();
+    let state = plan.state();
+    let lines = [
+        ("hydrodynamics", file.method.title().to_owned()),
+        (
+            "state",
+            format!(
+                "{state}: {} numbers ({})",
+                state.numbers(),
+                state.variables()
+            ),
+        ),
+        ("loads", needed.names().join("; ")),
+        (
+            "symmetry classes",
+            format!("of boundary elements: {}", classes.join(", ")),
+        ),
+    ];
+    let line = |(name, text): (&str, String)| vec![name.to_owned(), text];
+    say!("{}\n", words(lines.into_iter().map(line)));
+    let header = ["effect", "runs", "why"].map(str::to_owned).to_vec();
+    let rows = model.explain(&plan).into_iter().map(|row| {
+        let runs = if row.runs { "yes" } else { "no" };
+        vec![row.effect.to_owned(), runs.to_owned(), row.reason]
+    });
+    say!("{}\n", words([header].into_iter().chain(rows)));
+    let cost = [vec![cost_in_words(&model, &plan)]];
+    say!("{}", words(cost.into_iter()));
+    Ok(())
+}
+
+/// What the answer costs besides steps: counts, which are the same on every machine.
+fn cost_in_words(model: &Model, plan: &Plan) -> String {
+    let stages = "A step that is accepted takes 12 right-hand sides";
+    match model.table() {
+        Some(table) => format!(
+            "{stages}, which read {} columns of a table. The table is the price: {} solves of the model, to an \
+             interpolation error of {}. It is kept for other scenes that read the same loads.",
+            plan.load_set().column_count(),
+            table.evaluations,
+            size(table.interpolation_error)
+        ),
+        None if model.is_direct() => format!("{stages}, each of which solves the model once."),
+        None => format!("{stages}, each of which evaluates a closed form."),
+    }
+}

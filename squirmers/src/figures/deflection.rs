@@ -1,0 +1,165 @@
+//! Deflection against the offset of the paths (the paper's Fig. 6c): a curve for each method, and
+//! for each beta if there are several; a panel for each squirmer where the two differ.
+
+use super::canvas::{
+    ABOVE, Axes, BELOW, Entry, Key, LEFT, Panel, RIGHT, Stroke, TITLE, legend_height, picture,
+};
+use super::range::padded;
+use super::style::{Dash, INK, Shape, colour};
+use super::{FigureError, approach_title, distinct, methods, number, same};
+use compare::{Encounter, EncounterRow};
+
+/// Angle in degrees up to which two deflections are drawn as one.
+const SAME_DEFLECTION: f64 = 0.05;
+
+/// Angles in degrees up to which all deflections are drawn as none.
+pub(super) const NOISE: f64 = 1e-5;
+
+struct Dot {
+    dx: f64,
+    degrees: [f64; 2],
+    scattered: bool,
+}
+
+struct Curve {
+    label: String,
+    stroke: Stroke,
+    shape: Shape,
+    dots: Vec<Dot>,
+}
+
+/// Draws the deflections, in degrees, against `dx`. Pairs that did not part are hollow and off the curves; the axis is
+/// that of the pairs which did, if there are any, and what lies beyond it is not drawn.
+///
+/// # Errors
+/// [`FigureError`] if there is no run, or more than one approach.
+pub fn deflection(encounters: &[Encounter]) -> Result<String, FigureError> {
+    let first = (encounters.first())
+        .ok_or(FigureError::Empty { what: "no run" })?
+        .case
+        .approach;
+    if let Some(other) = encounters.iter().find(|e| e.case.approach != first) {
+        return Err(FigureError::MixedApproaches {
+            first,
+            other: other.case.approach,
+        });
+    }
+    let curves = curves(encounters);
+    let dots = || curves.iter().flat_map(|c| &c.dots);
+    let alike = |d: &Dot| (d.degrees[0] - d.degrees[1]).abs() < SAME_DEFLECTION || !d.scattered;
+    let squirmers: &[usize] = if dots().all(alike) { &[0] } else { &[0, 1] };
+    let none_scattered = !dots().any(|d| d.scattered);
+    let shown = dots().filter(|d| d.scattered || none_scattered);
+    let y = padded(shown.flat_map(|d| d.degrees).chain([0.0]), 0.08, NOISE);
+    let x = padded(dots().map(|d| d.dx), 0.06, 0.0);
+
+    let plot = if squirmers.len() == 1 {
+        (560.0, 340.0)
+    } else {
+        (400.0, 340.0)
+    };
+    let cell = LEFT + plot.0 + RIGHT;
+    let width = cell * squirmers.len() as f64;
+    let entry = |c: &Curve| (Key::MarkedLine(c.stroke, c.shape), c.label.clone());
+    let mut legend: Vec<Vec<Entry>> = (curves.chunk_by(|a, b| a.shape == b.shape))
+        .map(|of_method| of_method.iter().map(entry).collect())
+        .collect();
+    if dots().any(|d| !d.scattered) {
+        let key = Key::Marker(INK, Shape::Circle, false);
+        legend.push(vec![(key, "hollow: not scattered".to_owned())]);
+    }
+    if curves.len() == methods(encounters.iter().map(|e| e.method)).len() {
+        legend = vec![legend.concat()];
+    }
+    let legend_top = TITLE + ABOVE + plot.1 + BELOW + 8.0;
+    let height = legend_top + legend_height(&legend, width);
+    let title = format!("Deflection, {}", approach_title(first).to_lowercase());
+    picture((width, height), &title, |canvas| {
+        for (column, &k) in squirmers.iter().enumerate() {
+            let axes = Axes {
+                title: if squirmers.len() == 1 {
+                    "Both squirmers".to_owned()
+                } else {
+                    format!("Squirmer {}", k + 1)
+                },
+                x: x.clone(),
+                y: y.clone(),
+                x_title: "offset of the paths, δx (radii a)",
+                y_title: "deflection (degrees)",
+                ticks: (8, 8),
+            };
+            let corner = (cell * column as f64 + LEFT, TITLE + ABOVE);
+            canvas.panel(corner, plot, axes, |panel| {
+                panel.zero_line()?;
+                curves.iter().try_for_each(|curve| draw(panel, curve, k))
+            })?;
+        }
+        canvas.legend(&legend, legend_top, width)
+    })
+}
+
+/// A curve for each method, beta and dz that were run.
+fn curves(encounters: &[Encounter]) -> Vec<Curve> {
+    let methods = methods(encounters.iter().map(|e| e.method));
+    let betas = distinct(encounters.iter().map(|e| e.case.beta));
+    let heights = distinct(encounters.iter().map(|e| e.case.dz));
+    let mut curves = Vec::new();
+    for (i, &method) in methods.iter().enumerate() {
+        for (j, &beta) in betas.iter().enumerate() {
+            for (l, &dz) in heights.iter().enumerate() {
+                let mine = |e: &&Encounter| {
+                    e.method == method && same(e.case.beta, beta) && same(e.case.dz, dz)
+                };
+                let mut dots: Vec<Dot> = encounters.iter().filter(mine).filter_map(dot).collect();
+                if dots.is_empty() {
+                    continue;
+                }
+                dots.sort_by(|a, b| a.dx.total_cmp(&b.dx));
+                let mut label = method.title().to_owned();
+                if betas.len() > 1 {
+                    label += &format!(", β = {}", number(beta));
+                }
+                if heights.len() > 1 {
+                    label += &format!(", δz = {}", number(dz));
+                }
+                let hue = j * heights.len() + l;
+                let single = betas.len() * heights.len() == 1;
+                let stroke = Stroke {
+                    colour: colour(if single { i } else { hue }),
+                    width: 2.0,
+                    dash: Dash::of(i),
+                };
+                curves.push(Curve {
+                    label,
+                    stroke,
+                    shape: Shape::of(i),
+                    dots,
+                });
+            }
+        }
+    }
+    curves
+}
+
+/// What is drawn of an encounter; nothing if it failed.
+fn dot(encounter: &Encounter) -> Option<Dot> {
+    let row: EncounterRow = encounter.row();
+    let degrees = [row.deflection1_deg, row.deflection2_deg];
+    degrees.iter().all(|v| v.is_finite()).then_some(Dot {
+        dx: row.dx,
+        degrees,
+        scattered: encounter.scattered(),
+    })
+}
+
+fn draw(panel: &Panel<'_, '_>, curve: &Curve, k: usize) -> Result<(), FigureError> {
+    for run in curve.dots.chunk_by(|a, b| a.scattered && b.scattered) {
+        let line: Vec<_> = run.iter().map(|d| (d.dx, d.degrees[k])).collect();
+        panel.line(&line, curve.stroke)?;
+    }
+    for dot in &curve.dots {
+        let at = (dot.dx, dot.degrees[k]);
+        panel.marker(at, curve.stroke.colour, curve.shape, dot.scattered)?;
+    }
+    Ok(())
+}

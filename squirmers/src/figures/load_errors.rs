@@ -1,0 +1,118 @@
+//! Error of each load against the exact one, as a function of the gap: a panel for each load.
+
+use super::canvas::{
+    ABOVE, Axes, BELOW, Entry, Key, LEFT, RIGHT, Scale, Stroke, TITLE, legend_height, picture,
+};
+use super::range::{decades, extremes};
+use super::style::{Dash, colour};
+use super::{FigureError, methods};
+use compare::{LoadErrorRow, Method};
+
+/// Panels in a row: the loads of one mode.
+const COLUMNS: usize = 6;
+
+/// Errors are drawn between these powers of ten; smaller ones lie on the lower edge.
+const POWERS: (f64, f64) = (-7.0, 1.0);
+
+/// Draws the errors of the loads; methods are told apart by colour and dash.
+///
+/// # Errors
+/// [`FigureError`] if there are no rows.
+pub fn load_errors(rows: &[LoadErrorRow]) -> Result<String, FigureError> {
+    let mut names: Vec<&str> = Vec::new();
+    for row in rows {
+        if !names.contains(&row.name.as_str()) {
+            names.push(&row.name);
+        }
+    }
+    if names.is_empty() {
+        return Err(FigureError::Empty { what: "no loads" });
+    }
+    let methods = methods(rows.iter().filter_map(method_of));
+    let gaps = || rows.iter().map(|row| row.gap.log10());
+    let x = match extremes(gaps()) {
+        // Two whole powers of ten at least, so that the axis has a scale.
+        Some((low, high)) if high.floor() - low.ceil() >= 1.0 => low..high,
+        _ => decades(gaps()),
+    };
+
+    let plot = (170.0, 150.0);
+    let cell = (LEFT + plot.0 + RIGHT, ABOVE + plot.1 + BELOW);
+    let width = cell.0 * COLUMNS as f64;
+    let entry = |method: &Method| (Key::Line(stroke(*method)), method.title().to_owned());
+    let legend: Vec<Vec<Entry>> = vec![methods.iter().map(entry).collect()];
+    let places = places(&names);
+    let lines = places.iter().map(|(line, _)| line + 1).max().unwrap_or(1);
+    let legend_top = TITLE + cell.1 * lines as f64 + 8.0;
+    let height = legend_top + legend_height(&legend, width);
+    let title = "Error of the loads against the exact ones";
+    picture((width, height), title, |canvas| {
+        for (&name, &(line, column)) in names.iter().zip(&places) {
+            let axes = Axes {
+                title: name.to_owned(),
+                x: x.clone(),
+                y: POWERS.0..POWERS.1,
+                x_title: "gap (radii a)",
+                y_title: if column == 0 { "error" } else { "" },
+                ticks: (4, 6),
+            };
+            let corner = (
+                cell.0 * column as f64 + LEFT,
+                TITLE + cell.1 * line as f64 + ABOVE,
+            );
+            canvas.scaled_panel(
+                corner,
+                plot,
+                axes,
+                (Scale::Powers, Scale::Powers),
+                |panel| {
+                    for &method in &methods {
+                        let mine = (rows.iter())
+                            .filter(|row| method_of(row) == Some(method) && row.name == name);
+                        let points: Vec<_> = mine.map(place).collect();
+                        panel.path(&points, stroke(method))?;
+                    }
+                    Ok(())
+                },
+            )?;
+        }
+        canvas.legend(&legend, legend_top, width)
+    })
+}
+
+/// Where an error lies, as logarithms; no number where it is not known.
+fn place(row: &LoadErrorRow) -> (f64, f64) {
+    let error = if row.error.is_nan() {
+        f64::NAN
+    } else {
+        row.error.log10().max(POWERS.0)
+    };
+    (row.gap.log10(), error)
+}
+
+/// Line and column of each load: a mode's six loads fill a line of their own.
+fn places(names: &[&str]) -> Vec<(usize, usize)> {
+    let mut places = Vec::with_capacity(names.len());
+    let (mut line, mut column) = (0, 0);
+    for name in names {
+        if column == COLUMNS || (name.starts_with("XF1") && column > 0) {
+            (line, column) = (line + 1, 0);
+        }
+        places.push((line, column));
+        column += 1;
+    }
+    places
+}
+
+fn stroke(method: Method) -> Stroke {
+    let index = Method::ALL.iter().position(|m| *m == method).unwrap_or(0);
+    Stroke {
+        colour: colour(index),
+        width: 2.0,
+        dash: Dash::of(index),
+    }
+}
+
+fn method_of(row: &LoadErrorRow) -> Option<Method> {
+    Method::ALL.into_iter().find(|m| m.name() == row.method)
+}

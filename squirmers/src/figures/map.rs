@@ -1,0 +1,280 @@
+//! Maps over the plane of initial directions (the paper's Figs 2-4): deflections of both
+//! squirmers, interaction time and outcome, side by side.
+
+use plotters::style::RGBColor;
+use scene::Outcome;
+
+use super::canvas::{
+    ABOVE, Axes, BELOW, Canvas, Entry, Key, LEFT, MapCell, RIGHT, TITLE, legend_height, picture,
+    whole_side,
+};
+use super::heat::{self, Bar};
+use super::style::{Fill, Hatch};
+use super::{FigureError, number};
+use compare::maps::ScatterRow;
+
+/// About the side of a map, in nominal pixels.
+const SIDE: f64 = 270.0;
+
+/// Interaction time, in `a/V_s`, from which on the colour stays the same.
+const LONGEST: f64 = 30.0;
+
+/// Fill of an outcome, its colour after Okabe and Ito; of a run that failed for none. Any two differ in their hatch, or in
+/// their lightness.
+pub(super) const fn outcome_fill(outcome: Option<Outcome>) -> Fill {
+    match outcome {
+        Some(Outcome::Scattered) => Fill::new((240, 240, 240), Hatch::Plain),
+        Some(Outcome::Standoff) => Fill::new((240, 228, 66), Hatch::Crossed),
+        Some(Outcome::Pairwise) => Fill::new((213, 94, 0), Hatch::Plain),
+        Some(Outcome::Anticlockwise) => Fill::new((0, 114, 178), Hatch::Rising),
+        Some(Outcome::Clockwise) => Fill::new((86, 180, 233), Hatch::Falling),
+        Some(Outcome::Undecided) => Fill::new((0, 0, 0), Hatch::Crossed),
+        Some(Outcome::Upward) => Fill::new((190, 190, 190), Hatch::Plain),
+        Some(Outcome::Oscillating) => Fill::new((204, 121, 167), Hatch::Rising),
+        Some(Outcome::Downward) => Fill::new((0, 158, 115), Hatch::Falling),
+        Some(Outcome::Contact) => Fill::new((120, 70, 20), Hatch::Plain),
+        Some(Outcome::Unresolved) => Fill::new((160, 32, 32), Hatch::Crossed),
+        None => Fill::new((230, 159, 0), Hatch::Crossed),
+    }
+}
+
+/// Fill, in the panels of numbers, of pairs that did not scatter: the scales have no hatch.
+const BOUND: Fill = Fill::new((150, 150, 150), Hatch::Rising);
+
+/// What the panels of numbers show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Quantity {
+    Deflection,
+    Time,
+}
+
+impl Quantity {
+    /// Whether pairs of an outcome have it; none where it is not known how they ended.
+    fn belongs_to(self, outcome: Option<Outcome>) -> Option<bool> {
+        match outcome {
+            Some(Outcome::Scattered) => Some(true),
+            // They have parted, or are side by side, but gravity has turned them.
+            Some(Outcome::Upward) => Some(self == Self::Time),
+            Some(Outcome::Undecided | Outcome::Unresolved) | None => None,
+            Some(_) => Some(false),
+        }
+    }
+
+    /// Whether it is known of a pair.
+    fn is_known(self, row: &ScatterRow) -> bool {
+        let finite = match self {
+            Self::Deflection => row.deflection1_deg.is_finite() && row.deflection2_deg.is_finite(),
+            Self::Time => row.tau.is_finite(),
+        };
+        finite && self.belongs_to(row.outcome()) == Some(true)
+    }
+
+    /// The point of a pair in a panel, of the colour of its number if it has one.
+    fn cell(self, row: &ScatterRow, colour: RGBColor) -> MapCell {
+        let is_data = self.is_known(row);
+        let fill = match self.belongs_to(row.outcome()) {
+            Some(true) if is_data => Fill::plain(colour),
+            Some(true) => outcome_fill(None),
+            Some(false) => BOUND,
+            None => outcome_fill(row.outcome()),
+        };
+        MapCell { fill, is_data }
+    }
+
+    /// Whether its panel has points of pairs that have none.
+    fn is_hatched(self, rows: &[ScatterRow]) -> bool {
+        let lacks = |row: &ScatterRow| self.belongs_to(row.outcome()) == Some(false);
+        rows.iter().any(|row| self.is_known(row)) && rows.iter().any(lacks)
+    }
+}
+
+/// The outcomes that occur, each once, and what stands for them in the panels of numbers.
+fn legend(rows: &[ScatterRow]) -> Vec<Vec<Entry>> {
+    let occurs = |outcome: Option<Outcome>| rows.iter().any(|row| row.outcome() == outcome);
+    let mut outcomes: Vec<Entry> = (Outcome::ALL.into_iter())
+        .filter(|o| occurs(Some(*o)))
+        .map(|o| (Key::Patch(outcome_fill(Some(o))), o.to_string()))
+        .collect();
+    let [deflection, time] = [Quantity::Deflection, Quantity::Time];
+    let lost = |row: &ScatterRow| {
+        let owed = |q: Quantity| q.belongs_to(row.outcome()) == Some(true) && !q.is_known(row);
+        owed(deflection) || owed(time)
+    };
+    if occurs(None) || rows.iter().any(lost) {
+        outcomes.push((Key::Patch(outcome_fill(None)), "failed".to_owned()));
+    }
+    let mut legend = vec![outcomes];
+    if deflection.is_hatched(rows) || time.is_hatched(rows) {
+        let text = "not scattered: no deflection; bound: no τ".to_owned();
+        legend.push(vec![(Key::Patch(BOUND), text)]);
+    }
+    legend
+}
+
+/// Draws one map: the rows of a grid, each `Sigma` a line of `Delta`.
+///
+/// # Errors
+/// [`FigureError`] if there are no rows, or they are no square grid.
+pub fn scatter(rows: &[ScatterRow]) -> Result<String, FigureError> {
+    let first = (rows.first()).ok_or(FigureError::Empty { what: "no map" })?;
+    let method = first.method().map_or(first.method.as_str(), |m| m.title());
+    let mut title = format!("{method}, β = {}", number(first.beta));
+    if first.g != 0.0 {
+        title += &format!(", G = {}", number(first.g));
+    }
+    let legend = legend(rows);
+    let side = whole_side(SIDE, rows.len().isqrt());
+    let plot = (side, side);
+    let cell = LEFT + side + RIGHT + heat::BAR_ROOM;
+    let storey = ABOVE + side + BELOW;
+    let width = 2.0 * cell;
+    let legend_top = TITLE + 2.0 * storey + 8.0;
+    let height = legend_top + legend_height(&legend, width);
+    let angle = (rows.iter())
+        .filter(|row| Quantity::Deflection.is_known(row))
+        .flat_map(|row| [row.deflection1_deg.abs(), row.deflection2_deg.abs()])
+        .fold(30.0, f64::max);
+    let angle = (angle / 30.0).ceil() * 30.0;
+    picture((width, height), &title, |canvas| {
+        // Two by two: four in a row are wider than a page.
+        let corner = |panel: usize| {
+            let (column, row) = ((panel % 2) as f64, (panel / 2) as f64);
+            (cell * column + LEFT, TITLE + ABOVE + storey * row)
+        };
+        for k in [0, 1] {
+            let cells = rows.iter().map(|row| {
+                let deflection = [row.deflection1_deg, row.deflection2_deg][k];
+                Quantity::Deflection.cell(row, heat::diverging(deflection / angle))
+            });
+            let title = format!("Deflection of squirmer {}", k + 1);
+            draw(canvas, corner(k), title, plot, cells)?;
+            let bar = Bar {
+                range: -angle..angle,
+                colour: heat::diverging_bar,
+                title: "degrees",
+            };
+            bar.draw(canvas, (corner(k).0 + side + 14.0, corner(k).1), side)?;
+        }
+        let cells =
+            (rows.iter()).map(|row| Quantity::Time.cell(row, heat::sequential(row.tau / LONGEST)));
+        let title = "Interaction time τ".to_owned();
+        draw(canvas, corner(2), title, plot, cells)?;
+        let bar = Bar {
+            range: 0.0..LONGEST,
+            colour: heat::sequential,
+            title: "a/Vs; the same above",
+        };
+        bar.draw(canvas, (corner(2).0 + side + 14.0, corner(2).1), side)?;
+        let cells = rows.iter().map(|row| MapCell {
+            fill: outcome_fill(row.outcome()),
+            is_data: true,
+        });
+        draw(canvas, corner(3), "Outcome".to_owned(), plot, cells)?;
+        canvas.legend(&legend, legend_top, width)
+    })
+}
+
+/// A panel over `Delta` and `Sigma` filled with the points of a grid.
+pub(super) fn draw(
+    canvas: &Canvas<'_>,
+    corner: (f64, f64),
+    title: String,
+    plot: (f64, f64),
+    cells: impl Iterator<Item = MapCell>,
+) -> Result<(), FigureError> {
+    let axes = Axes {
+        title,
+        x: 0.0..2.0,
+        y: 0.0..2.0,
+        x_title: "difference of incoming angles, Δ (π)",
+        y_title: "sum of incoming angles, Σ (π)",
+        ticks: (5, 5),
+    };
+    let cells: Vec<MapCell> = cells.collect();
+    canvas.panel(corner, plot, axes, |panel| panel.grid(&cells))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figures::style::lightness;
+
+    #[test]
+    fn outcomes_are_told_apart_in_grey_print_by_lightness_or_hatch() {
+        let mut fills: Vec<Fill> = Outcome::ALL.map(|o| outcome_fill(Some(o))).to_vec();
+        fills.push(outcome_fill(None));
+        for (i, a) in fills.iter().enumerate() {
+            for b in &fills[..i] {
+                let apart = (lightness(a.colour) - lightness(b.colour)).abs();
+                assert!(a.hatch != b.hatch || apart >= 10.0, "{a:?} {b:?}: {apart}");
+            }
+        }
+    }
+
+    fn row(outcome: &str, deflection: f64) -> ScatterRow {
+        ScatterRow {
+            method: "lt".to_owned(),
+            beta: 5.0,
+            g: 0.0,
+            delta: 0.5,
+            sigma: 0.5,
+            deflection1_deg: deflection,
+            deflection2_deg: deflection,
+            tau: if outcome == "failed" { f64::NAN } else { 1.0 },
+            outcome: outcome.to_owned(),
+            min_gap: 0.1,
+        }
+    }
+
+    #[test]
+    fn bound_undecided_and_failed_pairs_are_filled_unlike_any_number() {
+        for outcome in ["pairwise", "contact", "undecided", "unresolved", "failed"] {
+            for quantity in [Quantity::Deflection, Quantity::Time] {
+                let cell = quantity.cell(&row(outcome, 400.0), heat::diverging(1.0));
+                assert!(!cell.is_data, "{outcome}");
+                let hatched = cell.fill == BOUND || cell.fill.hatch == Hatch::Crossed;
+                assert!(hatched, "{outcome}");
+            }
+        }
+        let unknown = row("scattered", f64::NAN);
+        let unknown = Quantity::Deflection.cell(&unknown, heat::diverging(f64::NAN));
+        assert_eq!(unknown.fill, outcome_fill(None));
+    }
+
+    #[test]
+    fn pairs_that_gravity_has_righted_have_a_time_and_no_deflection() {
+        let upward = row("upward", 3.0);
+        assert!(Quantity::Time.is_known(&upward));
+        assert!(!Quantity::Deflection.is_known(&upward));
+    }
+
+    #[test]
+    fn the_legend_names_what_occurs_and_nothing_else() {
+        let names = |rows: &[ScatterRow]| -> Vec<String> {
+            legend(rows)
+                .concat()
+                .into_iter()
+                .map(|(_, name)| name)
+                .collect()
+        };
+        assert_eq!(names(&[row("scattered", 1.0)]), ["scattered"]);
+        assert_eq!(names(&[row("failed", f64::NAN)]), ["failed"]);
+        // No panel has a number, so that none has a hatch in its place.
+        let none = names(&[row("pairwise", 1.0), row("failed", f64::NAN)]);
+        assert_eq!(none, ["pairwise", "failed"]);
+        let both = names(&[row("pairwise", 1.0), row("scattered", 1.0)]);
+        assert_eq!(both[..2], ["scattered", "pairwise"]);
+        assert!(both[2].starts_with("not scattered"), "{both:?}");
+    }
+
+    #[test]
+    fn a_map_without_one_scattered_pair_has_outcomes_and_no_other_data() {
+        let svg = scatter(&[const { "failed" }; 4].map(|o| row(o, f64::NAN))).unwrap();
+        assert_eq!(svg.matches("\nno data\n").count(), 3);
+        assert_eq!(svg.matches("<image").count(), 1);
+        let svg =
+            scatter(&["scattered", "pairwise", "pairwise", "failed"].map(|o| row(o, 3.0))).unwrap();
+        assert!(!svg.contains("no data"));
+        assert_eq!(svg.matches("<image").count(), 4);
+    }
+}

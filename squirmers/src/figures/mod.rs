@@ -1,0 +1,107 @@
+//! Pictures as SVG: one file a figure, all on the same `canvas` and in the same `style`.
+//!
+//! A new figure is a function from rows to SVG text beside these, and a section of the page.
+//!
+//! A panel in which nothing was drawn says "no data" by itself. A picture of nothing at all, without runs, kept paths or
+//! measurements, is [`FigureError::Empty`].
+
+mod canvas;
+mod deflection;
+#[cfg(test)]
+mod empty_tests;
+mod fates;
+mod heat;
+mod load_errors;
+mod map;
+mod number;
+mod offset;
+mod panels;
+mod range;
+mod scene_run;
+mod style;
+#[cfg(test)]
+mod tests;
+mod trajectories;
+mod trust;
+mod work_precision;
+
+use std::fmt::Display;
+
+use thiserror::Error;
+
+use compare::{Approach, Method};
+
+use number::number;
+
+pub use deflection::deflection;
+pub use fates::fates;
+pub use load_errors::load_errors;
+pub use map::scatter;
+pub use offset::offset;
+pub use panels::panels;
+pub use scene_run::scene_run;
+pub use trajectories::trajectories;
+pub use trust::{trust, trust_against_offset};
+pub use work_precision::{deflections_work_precision, loads_work_precision};
+
+/// Why there is no picture.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum FigureError {
+    /// Nothing to draw.
+    #[error("nothing to draw: {what}")]
+    Empty {
+        /// What is missing.
+        what: &'static str,
+    },
+    /// Two approaches in one picture.
+    #[error("one picture shows one approach, not both {first} and {other}")]
+    MixedApproaches {
+        /// The approach of the first encounter.
+        first: Approach,
+        /// Another one.
+        other: Approach,
+    },
+    /// The plotting library refused.
+    #[error("cannot draw: {reason}")]
+    Drawing {
+        /// What it said.
+        reason: String,
+    },
+}
+
+impl FigureError {
+    fn drawing(error: impl Display) -> Self {
+        Self::Drawing {
+            reason: error.to_string(),
+        }
+    }
+}
+
+/// The distinct values in ascending order.
+fn distinct(values: impl IntoIterator<Item = f64>) -> Vec<f64> {
+    let mut values: Vec<f64> = values.into_iter().map(|v| v + 0.0).collect();
+    values.sort_by(f64::total_cmp);
+    values.dedup_by(|a, b| a.total_cmp(b).is_eq());
+    values
+}
+
+/// Whether two numbers of a case are the same number.
+fn same(a: f64, b: f64) -> bool {
+    (a + 0.0).total_cmp(&(b + 0.0)).is_eq()
+}
+
+/// The distinct methods in the order of the command line.
+fn methods(all: impl IntoIterator<Item = Method>) -> Vec<Method> {
+    let mut methods: Vec<Method> = all.into_iter().collect();
+    methods.sort();
+    methods.dedup();
+    methods
+}
+
+/// `Head-on approach`, `Orthogonal approach`.
+fn approach_title(approach: Approach) -> &'static str {
+    match approach {
+        Approach::HeadOn => "Head-on approach",
+        Approach::Orthogonal => "Orthogonal approach",
+    }
+}

@@ -1,0 +1,144 @@
+//! Change of the outgoing orientation by an offset out of the plane (the paper's Fig. 5b): a panel
+//! for each method, a line for each case.
+
+use super::canvas::{
+    ABOVE, Axes, BELOW, Entry, Key, LEFT, RIGHT, Stroke, TITLE, legend_height, picture,
+};
+use super::deflection::NOISE;
+use super::range::padded;
+use super::style::{Dash, INK, Shape, colour};
+use super::{FigureError, methods, number, same};
+use compare::{Approach, Method, OffsetRow};
+
+/// Angle in degrees up to which the changes of both squirmers are drawn as one.
+const SAME_CHANGE: f64 = 0.05;
+
+/// What tells one line from another.
+struct Line<'a> {
+    case: &'a str,
+    beta: f64,
+    dx: f64,
+}
+
+impl Line<'_> {
+    fn holds(&self, row: &OffsetRow) -> bool {
+        row.case == self.case && same(row.beta, self.beta) && same(row.dx, self.dx)
+    }
+
+    fn label(&self) -> String {
+        let (beta, dx) = (number(self.beta), number(self.dx));
+        format!("{}, β = {beta}, δx = {dx}", self.case)
+    }
+
+    fn shape(&self) -> Shape {
+        Shape::of(usize::from(self.case != Approach::HeadOn.to_string()))
+    }
+}
+
+/// Draws the changes of the outgoing orientations, in degrees, against `dz`; NaN is left out.
+///
+/// # Errors
+/// [`FigureError`] if there are no rows.
+pub fn offset(rows: &[OffsetRow]) -> Result<String, FigureError> {
+    if rows.is_empty() {
+        return Err(FigureError::Empty { what: "no offset" });
+    }
+    let methods = methods(rows.iter().filter_map(method_of));
+    let mut lines: Vec<Line<'_>> = Vec::new();
+    for row in rows {
+        if !lines.iter().any(|line| line.holds(row)) {
+            lines.push(Line {
+                case: &row.case,
+                beta: row.beta,
+                dx: row.dx,
+            });
+        }
+    }
+    let changes = rows.iter().flat_map(|r| [r.change1_deg, r.change2_deg]);
+    let y = padded(changes.chain([0.0]), 0.06, NOISE);
+    let x = padded(rows.iter().map(|r| r.dz), 0.04, 0.0);
+    let differ = (rows.iter()).any(|r| (r.change1_deg - r.change2_deg).abs() > SAME_CHANGE);
+
+    let plot = (400.0, 340.0);
+    let cell = LEFT + plot.0 + RIGHT;
+    let width = cell * methods.len().max(1) as f64;
+    let entry = |(i, line): (usize, &Line<'_>)| {
+        let mut label = line.label();
+        let mine = rows.iter().filter(|row| line.holds(row));
+        if mine.clone().all(|r| r.change1_deg.is_nan()) {
+            label += " (not scattered)";
+        }
+        let key = Key::MarkedLine(stroke(i, Dash::Solid), line.shape());
+        (line.shape(), (key, label))
+    };
+    let entries: Vec<(Shape, Entry)> = lines.iter().enumerate().map(entry).collect();
+    let mut legend: Vec<Vec<Entry>> = (entries.chunk_by(|a, b| a.0 == b.0))
+        .map(|of_case| of_case.iter().map(|(_, entry)| entry.clone()).collect())
+        .collect();
+    if differ {
+        let squirmers = [(Dash::Solid, "squirmer 1"), (Dash::Dashed, "squirmer 2")];
+        let entry = |(dash, label): (Dash, &str)| {
+            let colour = INK;
+            let stroke = Stroke {
+                colour,
+                ..stroke(0, dash)
+            };
+            (Key::Line(stroke), label.to_owned())
+        };
+        legend.push(squirmers.map(entry).into());
+    }
+    let legend_top = TITLE + ABOVE + plot.1 + BELOW + 8.0;
+    let height = legend_top + legend_height(&legend, width);
+    let title = "Change of the outgoing orientation by an offset out of the plane";
+    picture((width, height), title, |canvas| {
+        for (column, &method) in methods.iter().enumerate() {
+            let axes = Axes {
+                title: method.title().to_owned(),
+                x: x.clone(),
+                y: y.clone(),
+                x_title: "offset out of the plane, δz (radii a)",
+                y_title: "change of angle (degrees)",
+                ticks: (7, 8),
+            };
+            let corner = (cell * column as f64 + LEFT, TITLE + ABOVE);
+            canvas.panel(corner, plot, axes, |panel| {
+                for (i, line) in lines.iter().enumerate() {
+                    let mut mine: Vec<&OffsetRow> = (rows.iter())
+                        .filter(|r| method_of(r) == Some(method) && line.holds(r))
+                        .collect();
+                    mine.sort_by(|a, b| a.dz.total_cmp(&b.dz));
+                    let first: Vec<_> = mine.iter().map(|r| (r.dz, r.change1_deg)).collect();
+                    let second: Vec<_> = mine.iter().map(|r| (r.dz, r.change2_deg)).collect();
+                    let apart =
+                        (mine.iter()).any(|r| (r.change1_deg - r.change2_deg).abs() > SAME_CHANGE);
+                    let both = [(first, Dash::Solid), (second, Dash::Dashed)];
+                    for (points, dash) in both.iter().take(if apart { 2 } else { 1 }) {
+                        for run in points.chunk_by(|a, b| a.1.is_finite() && b.1.is_finite()) {
+                            if run.len() > 1 {
+                                panel.line(run, stroke(i, *dash))?;
+                            }
+                        }
+                        for &at in points.iter().filter(|p| p.1.is_finite()) {
+                            let filled = *dash == Dash::Solid;
+                            panel.marker(at, colour(i), line.shape(), filled)?;
+                        }
+                    }
+                }
+                Ok(())
+            })?;
+        }
+        canvas.legend(&legend, legend_top, width)
+    })
+}
+
+fn stroke(index: usize, dash: Dash) -> Stroke {
+    Stroke {
+        colour: colour(index),
+        width: 2.0,
+        dash,
+    }
+}
+
+fn method_of(row: &OffsetRow) -> Option<Method> {
+    Method::ALL.into_iter().find(|m| m.name() == row.method)
+}

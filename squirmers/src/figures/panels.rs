@@ -1,0 +1,168 @@
+//! Trajectories of pairs (the paper's Figs 1c, 2c and 8a-f): a column for each panel, a row for
+//! each method; the spheres to scale at the start, arrows along the orientations.
+
+use std::ops::Range;
+
+use plotters::style::RGBColor;
+
+use super::canvas::{
+    ABOVE, Axes, BELOW, Entry, Key, LEFT, Panel, RIGHT, Stroke, TITLE, legend_height, picture,
+};
+use super::range::{extremes, sound, widened};
+use super::style::{Dash, colour};
+use super::{FigureError, methods, number};
+use compare::bottom_heavy::PanelRun;
+
+/// Time between the orientations that are drawn, in `a/V_s`.
+pub const ARROW_INTERVAL: f64 = 4.0;
+
+/// Colour of the orientations: both lines are seen beside it.
+const ARROW: RGBColor = RGBColor(96, 96, 96);
+
+/// Nominal length of an orientation's arrow.
+const ARROW_LENGTH: f64 = 17.0;
+
+/// Room about the trajectories, in radii: spheres and arrows stay within.
+const ROOM: f64 = 1.6;
+
+/// Size of a plot.
+const PLOT: (f64, f64) = (170.0, 340.0);
+
+/// Room left of all for the methods' names.
+const NAMES: f64 = 26.0;
+
+/// A point of a path and the orientation there.
+type Pose = ((f64, f64), (f64, f64));
+
+/// The path of one squirmer, as far as the panel shows it.
+fn path(run: &PanelRun, k: usize) -> Vec<(f64, Pose)> {
+    (run.shown())
+        .map(|s| {
+            let (x, p) = (
+                s.configuration.positions()[k],
+                s.configuration.orientations[k],
+            );
+            (s.t, ((x.x, x.y), (p.x, p.y)))
+        })
+        .collect()
+}
+
+/// Draws the panels, in the x-y plane and in radii, each in a window of its own: pairs that stay together
+/// by one method part by another.
+///
+/// # Errors
+/// [`FigureError`] if there is no run.
+pub fn panels(runs: &[PanelRun], title: &str) -> Result<String, FigureError> {
+    let methods = methods(runs.iter().map(|run| run.method));
+    let mut panels: Vec<&PanelRun> = Vec::new();
+    for run in runs {
+        if panels.iter().all(|other| other.case != run.case) {
+            panels.push(run);
+        }
+    }
+    if panels.is_empty() {
+        let what = "no run";
+        return Err(FigureError::Empty { what });
+    }
+    let cell = (LEFT + PLOT.0 + RIGHT, ABOVE + PLOT.1 + BELOW);
+    let width = NAMES + cell.0 * panels.len() as f64;
+    let legend_top = TITLE + cell.1 * methods.len() as f64 + 8.0;
+    let legend = legend();
+    let height = legend_top + legend_height(&legend, width);
+    picture((width, height), title, |canvas| {
+        for (row, &method) in methods.iter().enumerate() {
+            let top = TITLE + cell.1 * row as f64 + ABOVE;
+            canvas.upright_label(method.title(), (NAMES / 2.0, top + PLOT.1 / 2.0))?;
+            for (column, first) in panels.iter().enumerate() {
+                let case = &first.case;
+                let of_case = || {
+                    runs.iter()
+                        .filter(|run| run.case == *case && run.run.is_ok())
+                };
+                let mine = of_case().find(|run| run.method == method);
+                let (x, y) = window(mine.or_else(|| of_case().next()));
+                let mut title = format!("({}) β = {}", case.panel, number(case.beta));
+                if case.g != 0.0 {
+                    title += &format!(", G = {}", number(case.g));
+                }
+                let axes = Axes {
+                    title,
+                    x,
+                    y,
+                    x_title: "x (radii a)",
+                    y_title: "y (radii a)",
+                    ticks: (4, 9),
+                };
+                let corner = (NAMES + cell.0 * column as f64 + LEFT, top);
+                canvas.panel(corner, PLOT, axes, |panel| match mine {
+                    Some(run) => draw(panel, run),
+                    None => Ok(()),
+                })?;
+            }
+        }
+        canvas.legend(&legend, legend_top, width)
+    })
+}
+
+fn stroke(k: usize) -> Stroke {
+    Stroke {
+        colour: colour(k),
+        width: 1.8,
+        dash: Dash::of(k),
+    }
+}
+
+fn legend() -> Vec<Vec<Entry>> {
+    vec![vec![
+        (Key::Line(stroke(0)), "squirmer 1".to_owned()),
+        (Key::Line(stroke(1)), "squirmer 2".to_owned()),
+        (
+            Key::Arrow(ARROW),
+            format!("orientation, every Δt = {}", number(ARROW_INTERVAL)),
+        ),
+        (Key::Sphere, "start, to scale".to_owned()),
+    ]]
+}
+
+fn draw(panel: &Panel<'_, '_>, run: &PanelRun) -> Result<(), FigureError> {
+    let paths = [0, 1].map(|k| path(run, k));
+    let mut points: Vec<_> = paths.iter().flatten().map(|(_, (at, _))| *at).collect();
+    for (_, ((x, y), _)) in paths.iter().filter_map(|path| path.first()) {
+        points.extend([(x + 1.0, *y), (x - 1.0, *y), (*x, y + 1.0), (*x, y - 1.0)]);
+    }
+    if run.case.g != 0.0 {
+        panel.gravity(&points)?;
+    }
+    for (k, path) in paths.iter().enumerate() {
+        if let Some((_, (at, heading))) = path.first() {
+            panel.sphere(*at, *heading, colour(k))?;
+        }
+        let line: Vec<_> = path.iter().map(|(_, (at, _))| *at).collect();
+        panel.line(&line, stroke(k))?;
+    }
+    for path in &paths {
+        let mut next = ARROW_INTERVAL;
+        for (t, (at, heading)) in path {
+            // Samples lie on multiples of an interval that divides this one.
+            if *t >= next - 1e-9 {
+                panel.arrow(*at, *heading, ARROW_LENGTH, ARROW)?;
+                next += ARROW_INTERVAL;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// What the trajectories need, widened to the shape of the plot; about the origin without any.
+fn window(run: Option<&PanelRun>) -> (Range<f64>, Range<f64>) {
+    let poses = run.iter().flat_map(|run| [0, 1].map(|k| path(run, k)));
+    let centres: Vec<(f64, f64)> = poses.flatten().map(|(_, (at, _))| at).collect();
+    let about = |values: &mut dyn Iterator<Item = f64>| {
+        let (low, high) = extremes(values).unwrap_or((0.0, 0.0));
+        sound(&(low - ROOM..high + ROOM))
+    };
+    let x = about(&mut centres.iter().map(|at| at.0));
+    let y = about(&mut centres.iter().map(|at| at.1));
+    let scale = ((x.end - x.start) / PLOT.0).max((y.end - y.start) / PLOT.1);
+    (widened(&x, scale * PLOT.0), widened(&y, scale * PLOT.1))
+}

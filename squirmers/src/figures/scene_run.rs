@@ -1,0 +1,228 @@
+//! One scene: paths in the plane, and also seen from the side where the motion is spatial; gap and
+//! orientations against time.
+
+use std::ops::Range;
+
+use scene::Scene;
+
+use super::canvas::{
+    ABOVE, Axes, BELOW, Key, LEFT, Panel, RIGHT, Scale, Stroke, TITLE, legend_height, picture,
+};
+use super::range::{decades, extremes, sound, widened};
+use super::style::{Dash, colour};
+use super::{FigureError, number};
+use compare::scene_run::SampleRow;
+
+/// Width of a panel, and height of those against time.
+const PLOT: (f64, f64) = (400.0, 250.0);
+
+/// Tallest panel of paths, and the least extent of one; scales along both axes are equal.
+const TALLEST: f64 = 560.0;
+const LEAST: f64 = 170.0;
+
+/// Room about the paths, in radii.
+const ROOM: f64 = 1.5;
+
+/// Smallest gap that is drawn: what is closer is in contact.
+const LEAST_GAP: f64 = 1e-300;
+
+/// Most points of a line: more than there are pixels.
+const POINTS: usize = 4000;
+
+/// Draws the rows of a run of `scene`; `spatial` adds the view along y.
+///
+/// # Errors
+/// [`FigureError`] if there are no rows.
+pub fn scene_run(scene: &Scene, rows: &[SampleRow], spatial: bool) -> Result<String, FigureError> {
+    let (Some(first), Some(last)) = (rows.first(), rows.last()) else {
+        return Err(FigureError::Empty { what: "no samples" });
+    };
+    let stride = rows.len().div_ceil(POINTS);
+    let shown: Vec<SampleRow> = (rows.iter().step_by(stride).copied())
+        .chain([*last])
+        .collect();
+    let views: &[View] = if spatial { &[TOP, SIDE] } else { &[TOP] };
+    let windows: Vec<_> = views.iter().map(|view| window(&shown, view)).collect();
+    let sizes: Vec<_> = windows.iter().map(size).collect();
+    let paths = sizes.iter().map(|size| size.1).fold(0.0, f64::max);
+    let cell = LEFT + PLOT.0 + RIGHT;
+    let width = 2.0 * cell;
+    let time_top = TITLE + ABOVE + paths + BELOW + ABOVE;
+    let legend = vec![vec![
+        (Key::Line(stroke(0)), label(scene, 0)),
+        (Key::Line(stroke(1)), label(scene, 1)),
+        (Key::Sphere, "start and end".to_owned()),
+    ]];
+    let legend_top = time_top + PLOT.1 + BELOW + 8.0;
+    let height = legend_top + legend_height(&legend, width);
+    picture((width, height), "Two squirmers", |canvas| {
+        for (column, (view, (x, y))) in views.iter().zip(&windows).enumerate() {
+            let axes = Axes {
+                title: view.title.to_owned(),
+                x: x.clone(),
+                y: y.clone(),
+                x_title: view.x_title,
+                y_title: view.y_title,
+                ticks: (7, 7),
+            };
+            // A single view stands in the middle.
+            let size = sizes[column];
+            let middle = width * (column as f64 + 0.5) / views.len() as f64;
+            let left = middle + 0.5 * (LEFT - RIGHT - size.0);
+            canvas.panel((left, TITLE + ABOVE), size, axes, |panel| {
+                draw_paths(panel, view, &shown, [first, last])
+            })?;
+        }
+        let time = 0.0..if last.t > 0.0 { last.t } else { 1.0 };
+        let gaps: Vec<_> = shown.iter().map(|row| (row.t, decade(row.gap))).collect();
+        let axes = Axes {
+            title: "Gap".to_owned(),
+            x: time.clone(),
+            y: decades(gaps.iter().map(|(_, log)| *log)),
+            x_title: "time (a/Vs)",
+            y_title: "gap ε (radii a)",
+            ticks: (7, 6),
+        };
+        let scales = (Scale::Linear, Scale::Powers);
+        canvas.scaled_panel((LEFT, time_top), PLOT, axes, scales, |panel| {
+            panel.path(&gaps, stroke(2))
+        })?;
+        let angle = |k: usize| -> Vec<_> {
+            let of = |row: &SampleRow| [row.angle1_deg, row.angle2_deg][k];
+            shown.iter().map(|row| (row.t, of(row))).collect()
+        };
+        let axes = Axes {
+            title: if spatial {
+                "Orientations, projected on the x-y plane".to_owned()
+            } else {
+                "Orientations".to_owned()
+            },
+            x: time,
+            y: padded((angle(0).iter().chain(&angle(1))).map(|(_, angle)| *angle)),
+            x_title: "time (a/Vs)",
+            y_title: "angle (degrees)",
+            ticks: (7, 6),
+        };
+        canvas.panel((cell + LEFT, time_top), PLOT, axes, |panel| {
+            [0, 1]
+                .into_iter()
+                .try_for_each(|k| panel.path(&angle(k), stroke(k)))
+        })?;
+        canvas.legend(&legend, legend_top, width)
+    })
+}
+
+/// From where a pair is looked at.
+struct View {
+    title: &'static str,
+    x_title: &'static str,
+    y_title: &'static str,
+    /// The upward coordinate of centres and orientations.
+    up: fn(&SampleRow) -> [(f64, f64); 2],
+}
+
+const TOP: View = View {
+    title: "Paths, seen along z",
+    x_title: "x (radii a)",
+    y_title: "y (radii a)",
+    up: |row| [(row.y1, row.py1), (row.y2, row.py2)],
+};
+
+const SIDE: View = View {
+    title: "Paths, seen along y",
+    x_title: "x (radii a)",
+    y_title: "z (radii a)",
+    up: |row| [(row.z1, row.pz1), (row.z2, row.pz2)],
+};
+
+impl View {
+    /// Centre and orientation of the squirmer number `k`.
+    fn of(&self, row: &SampleRow, k: usize) -> ((f64, f64), (f64, f64)) {
+        let (along, up) = ([(row.x1, row.px1), (row.x2, row.px2)][k], (self.up)(row)[k]);
+        ((along.0, up.0), (along.1, up.1))
+    }
+}
+
+fn stroke(series: usize) -> Stroke {
+    Stroke {
+        colour: colour(series),
+        width: 1.8,
+        dash: if series == 1 {
+            Dash::Dashed
+        } else {
+            Dash::Solid
+        },
+    }
+}
+
+fn label(scene: &Scene, k: usize) -> String {
+    let modes: Vec<_> = (1..)
+        .zip(scene.squirmers[k].modes())
+        .map(|(n, b)| format!("B{n} = {}", number(*b)))
+        .collect();
+    let modes = if modes.is_empty() {
+        "passive".to_owned()
+    } else {
+        modes.join(", ")
+    };
+    format!("squirmer {}: {modes}", k + 1)
+}
+
+/// Power of ten of a gap; no number for one that is none.
+fn decade(gap: f64) -> f64 {
+    if gap.is_nan() {
+        f64::NAN
+    } else {
+        gap.max(LEAST_GAP).log10()
+    }
+}
+
+/// What a view takes in, at the same scale along both axes.
+fn window(rows: &[SampleRow], view: &View) -> (Range<f64>, Range<f64>) {
+    let centres = || {
+        rows.iter()
+            .flat_map(|row| [0, 1].map(|k| view.of(row, k).0))
+    };
+    let about = |range: Option<(f64, f64)>| {
+        let (low, high) = range.unwrap_or((0.0, 0.0));
+        sound(&(low - ROOM..high + ROOM))
+    };
+    let x = about(extremes(centres().map(|at| at.0)));
+    let y = about(extremes(centres().map(|at| at.1)));
+    // Neither too narrow nor too flat when scaled to fit.
+    let scale = (PLOT.0 / (x.end - x.start)).min(TALLEST / (y.end - y.start));
+    (widened(&x, LEAST / scale), widened(&y, LEAST / scale))
+}
+
+/// Size of a panel for a window.
+fn size((x, y): &(Range<f64>, Range<f64>)) -> (f64, f64) {
+    let [width, height] = [x, y].map(|range| range.end - range.start);
+    let scale = (PLOT.0 / width).min(TALLEST / height);
+    (width * scale, height * scale)
+}
+
+fn draw_paths(
+    panel: &Panel<'_, '_>,
+    view: &View,
+    rows: &[SampleRow],
+    ends: [&SampleRow; 2],
+) -> Result<(), FigureError> {
+    for k in [0, 1] {
+        for row in ends {
+            let (centre, heading) = view.of(row, k);
+            panel.sphere(centre, heading, colour(k))?;
+        }
+        let path: Vec<_> = rows.iter().map(|row| view.of(row, k).0).collect();
+        panel.line(&path, stroke(k))?;
+    }
+    Ok(())
+}
+
+/// About the values, with room above and below.
+fn padded(values: impl Iterator<Item = f64>) -> Range<f64> {
+    /// Least extent, in degrees.
+    const LEAST_DEGREES: f64 = 10.0;
+    let (low, high) = extremes(values).unwrap_or((0.0, 0.0));
+    let room = (0.08 * (high - low)).max(0.5 * (LEAST_DEGREES - (high - low)));
+    low - room..high + room
+}

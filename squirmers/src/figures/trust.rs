@@ -1,0 +1,198 @@
+//! Where lubrication theory can be trusted, over the plane of initial directions.
+
+use scene::Outcome;
+
+use super::canvas::{
+    ABOVE, Axes, BELOW, Entry, Key, LEFT, MapCell, RIGHT, TITLE, legend_height, picture, whole_side,
+};
+use super::map::{draw, outcome_fill};
+use super::style::{Fill, Hatch};
+use super::{FigureError, distinct, number, same};
+use compare::Method;
+use compare::maps::{TRUST_CLASSES, TrustRow, TrustShares};
+
+/// About the side of the map, in nominal pixels.
+const SIDE: f64 = 420.0;
+
+/// Fills of the classes: darker is worse, and what has no difference of deflections is hatched.
+const FILLS: [Fill; 7] = [
+    Fill::new((239, 243, 255), Hatch::Plain),
+    Fill::new((158, 202, 225), Hatch::Plain),
+    Fill::new((66, 146, 198), Hatch::Plain),
+    Fill::new((8, 69, 148), Hatch::Plain),
+    Fill::new((190, 190, 190), Hatch::Rising),
+    Fill::new((213, 94, 0), Hatch::Falling),
+    outcome_fill(None),
+];
+
+/// What a point shows: a class, or that neither model came to a result in time.
+fn entry(row: &TrustRow) -> (Fill, &'static str) {
+    let undecided = Outcome::Undecided.to_string();
+    if row.outcome_lt == undecided && row.outcome_exact == undecided {
+        let fill = outcome_fill(Some(Outcome::Undecided));
+        (fill, "both undecided")
+    } else {
+        (FILLS[row.class()], TRUST_CLASSES[row.class()])
+    }
+}
+
+/// Draws one map: the rows of a grid, each `Sigma` a line of `Delta`.
+///
+/// # Errors
+/// [`FigureError`] if there are no rows, or they are no square grid.
+pub fn trust(rows: &[TrustRow]) -> Result<String, FigureError> {
+    let first = (rows.first()).ok_or(FigureError::Empty { what: "no map" })?;
+    let method = title_of(&first.method);
+    let mut title = format!("{method} against exact, β = {}", number(first.beta));
+    if first.g != 0.0 {
+        title += &format!(", G = {}", number(first.g));
+    }
+    if first.dz != 0.0 {
+        title += &format!(", δz = {}", number(first.dz));
+    }
+    let side = whole_side(SIDE, rows.len().isqrt());
+    let entries: Vec<(Fill, &str)> = rows.iter().map(entry).collect();
+    let mut occurring: Vec<(Fill, &str)> = FILLS.into_iter().zip(TRUST_CLASSES).collect();
+    let undecided = outcome_fill(Some(Outcome::Undecided));
+    occurring.extend(entries.iter().find(|(fill, _)| *fill == undecided));
+    occurring.retain(|known| entries.contains(known));
+    let legend = legend(occurring);
+    let width = LEFT + side + 5.0 * RIGHT;
+    let legend_top = TITLE + ABOVE + side + BELOW + 8.0;
+    let height = legend_top + legend_height(&legend, width);
+    picture((width, height), &title, |canvas| {
+        let title = "Difference of the deflections".to_owned();
+        let cells = entries.iter().map(|(fill, _)| MapCell {
+            fill: *fill,
+            is_data: true,
+        });
+        draw(canvas, (LEFT, TITLE + ABOVE), title, (side, side), cells)?;
+        canvas.legend(&legend, legend_top, width)
+    })
+}
+
+/// Size of a panel of shares.
+const PLOT: (f64, f64) = (200.0, 240.0);
+
+/// Least width of a picture of shares: its title and legend need it.
+const LEAST_WIDTH: f64 = 560.0;
+
+/// Share of a bar's place that it fills.
+const FILLED: f64 = 0.8;
+
+/// Draws the shares of the classes against the offset out of the plane, a panel for each beta: rows of
+/// one method and one bottom-heaviness.
+///
+/// # Errors
+/// [`FigureError::Empty`] if there is but one offset.
+pub fn trust_against_offset(rows: &[TrustShares]) -> Result<String, FigureError> {
+    let offsets = distinct(rows.iter().map(|row| row.dz));
+    let step = (offsets.windows(2).map(|ends| ends[1] - ends[0])).fold(f64::INFINITY, f64::min);
+    let (Some(&first), Some(&last)) = (offsets.first(), offsets.last()) else {
+        return Err(FigureError::Empty { what: "no offset" });
+    };
+    if offsets.len() < 2 {
+        return Err(FigureError::Empty { what: "one offset" });
+    }
+    let x = first - 0.5 * step..last + 0.5 * step;
+    let betas = distinct(rows.iter().map(|row| row.beta));
+    let cell = LEFT + PLOT.0 + RIGHT;
+    let width = (cell * betas.len() as f64).max(LEAST_WIDTH);
+    let margin = 0.5 * (width - cell * betas.len() as f64);
+    let occurs = |class: usize| rows.iter().any(|row| row.in_order()[class] > 0.0);
+    let classes = FILLS.into_iter().zip(TRUST_CLASSES).enumerate();
+    let occurring = classes.filter(|(class, _)| occurs(*class));
+    let legend = legend(occurring.map(|(_, entry)| entry));
+    let legend_top = TITLE + ABOVE + PLOT.1 + BELOW + 8.0;
+    let height = legend_top + legend_height(&legend, width);
+    let title = format!(
+        "Trust in {} against the offset out of the plane",
+        title_of(&rows[0].method).to_lowercase()
+    );
+    picture((width, height), &title, |canvas| {
+        for (column, &beta) in betas.iter().enumerate() {
+            let corner = (margin + cell * column as f64 + LEFT, TITLE + ABOVE);
+            let axes = Axes {
+                title: format!("β = {}", number(beta)),
+                x: x.clone(),
+                y: 0.0..100.0,
+                x_title: "offset δz (radii)",
+                y_title: "share of incoming angles (%)",
+                ticks: (offsets.len().min(6), 6),
+            };
+            canvas.panel(corner, PLOT, axes, |panel| {
+                for row in rows.iter().filter(|row| same(row.beta, beta)) {
+                    let mut base = 0.0;
+                    for (share, fill) in row.in_order().into_iter().zip(FILLS) {
+                        let top = base + 100.0 * share;
+                        panel.bar((row.dz, FILLED * step), (base, top), fill)?;
+                        base = top;
+                    }
+                }
+                Ok(())
+            })?;
+        }
+        canvas.legend(&legend, legend_top, width)
+    })
+}
+
+fn title_of(method: &str) -> String {
+    let known = Method::ALL.into_iter().find(|m| m.name() == method);
+    known.map_or(method.to_owned(), |m| m.title().to_owned())
+}
+
+fn legend(classes: impl IntoIterator<Item = (Fill, &'static str)>) -> Vec<Vec<Entry>> {
+    let entry = |(fill, class): (Fill, &str)| (Key::Patch(fill), class.to_owned());
+    vec![classes.into_iter().map(entry).collect()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figures::style::lightness;
+
+    #[test]
+    fn classes_are_told_apart_in_grey_print_by_lightness_or_hatch() {
+        let undecided = outcome_fill(Some(Outcome::Undecided));
+        let fills: Vec<Fill> = FILLS.into_iter().chain([undecided]).collect();
+        for (i, a) in fills.iter().enumerate() {
+            for b in &fills[..i] {
+                let apart = (lightness(a.colour) - lightness(b.colour)).abs();
+                assert!(a.hatch != b.hatch || apart >= 10.0, "{a:?} {b:?}: {apart}");
+            }
+        }
+    }
+
+    fn row(outcomes: [&str; 2], difference: f64) -> TrustRow {
+        let [lt, exact] = outcomes.map(str::to_owned);
+        TrustRow {
+            beta: 5.0,
+            delta: 0.5,
+            sigma: 0.5,
+            outcome_lt: lt,
+            outcome_exact: exact,
+            difference1_deg: difference,
+            difference2_deg: difference,
+            method: "lt".to_owned(),
+            g: 0.0,
+            dz: 0.0,
+        }
+    }
+
+    #[test]
+    fn two_failures_are_no_agreement_and_the_legend_names_what_occurs() {
+        let rows = [
+            row(["scattered", "scattered"], 1.0),
+            row(["scattered", "pairwise"], 1.0),
+            row(["failed", "failed"], f64::NAN),
+            row(["undecided", "undecided"], f64::NAN),
+        ];
+        let svg = trust(&rows).unwrap();
+        for named in ["up to 5°", "another outcome", "failed", "both undecided"] {
+            assert!(svg.contains(named), "{named}");
+        }
+        for absent in ["alike, no deflection", "5° to 15°"] {
+            assert!(!svg.contains(absent), "{absent}");
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! The pictures that a command writes, by their file names.
+
+use crate::error::CommandError;
+use crate::figures::{self, FigureError};
+use compare::bottom_heavy::PanelRun;
+use compare::kept_rows::Drawn;
+use compare::maps::{FateRow, Pair, ScatterRow, TrustRow, TrustShares};
+use compare::numbers::written;
+use compare::{Approach, Encounter, OffsetRow};
+
+/// A picture and the name of its file.
+pub(crate) struct Picture {
+    pub(crate) file_name: String,
+    pub(crate) svg: String,
+}
+
+/// Trajectories and deflections of one approach, as far as so many runs are drawn; none without runs.
+pub(crate) fn of_encounters(
+    approach: Approach,
+    encounters: &[Encounter],
+    drawn: Drawn,
+) -> Result<Vec<Picture>, CommandError> {
+    let named = |name: &str, svg| picture(format!("{approach}-{name}.svg"), svg);
+    let mut pictures = Vec::new();
+    if drawn == Drawn::Paths {
+        pictures.extend(named("trajectories", figures::trajectories(encounters))?);
+    }
+    if drawn != Drawn::Nothing {
+        pictures.extend(named("deflection", figures::deflection(encounters))?);
+    }
+    Ok(pictures)
+}
+
+/// The offset sensitivity; none without runs.
+pub(crate) fn of_offsets(rows: &[OffsetRow]) -> Result<Option<Picture>, CommandError> {
+    picture("offset.svg".to_owned(), figures::offset(rows))
+}
+
+/// Trajectories under gravity; none without runs.
+pub(crate) fn of_bottom_heavy(runs: &[PanelRun]) -> Result<Option<Picture>, CommandError> {
+    of_panels("bottom-heavy.svg", "Bottom-heavy squirmers", runs)
+}
+
+/// Trajectories of pairs, a panel for each start; none without runs.
+pub(crate) fn of_panels(
+    file_name: &str,
+    title: &str,
+    runs: &[PanelRun],
+) -> Result<Option<Picture>, CommandError> {
+    picture(file_name.to_owned(), figures::panels(runs, title))
+}
+
+/// Leaves out a picture of nothing. This is the one place that says when: where there are no runs, or paths of them were
+/// not kept, a figure is [`FigureError::Empty`]. Runs that failed have a picture that says "no data" in each panel: it
+/// takes the place of one that an earlier command has left.
+fn picture(
+    file_name: String,
+    svg: Result<String, FigureError>,
+) -> Result<Option<Picture>, CommandError> {
+    match svg {
+        Ok(svg) => Ok(Some(Picture { file_name, svg })),
+        Err(FigureError::Empty { .. }) => Ok(None),
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// A picture for each method, beta and bottom-heaviness.
+pub(crate) fn of_scatter(rows: &[ScatterRow]) -> Result<Vec<Picture>, CommandError> {
+    let same = |a: &ScatterRow, b: &ScatterRow| {
+        let key = |row: &ScatterRow| (row.beta.to_bits(), row.g.to_bits());
+        a.method == b.method && key(a) == key(b)
+    };
+    let drawn = rows.chunk_by(same).map(|map| {
+        let svg = figures::scatter(map);
+        let ScatterRow {
+            ref method,
+            beta,
+            g,
+            ..
+        } = map[0];
+        picture(map_name("scatter", method, Pair { beta, g, dz: 0.0 }), svg)
+    });
+    drawn.filter_map(Result::transpose).collect()
+}
+
+/// Shares against beta, or against bottom-heaviness.
+pub(crate) fn of_fates(rows: &[FateRow]) -> Result<Vec<Picture>, CommandError> {
+    let drawn = picture("fates.svg".to_owned(), figures::fates(rows))?;
+    Ok(drawn.into_iter().collect())
+}
+
+/// A picture for each method and pair.
+pub(crate) fn of_trust(rows: &[TrustRow]) -> Result<Vec<Picture>, CommandError> {
+    let drawn = rows.chunk_by(compare::maps::same_map).map(|map| {
+        let svg = figures::trust(map);
+        let TrustRow {
+            ref method,
+            beta,
+            g,
+            dz,
+            ..
+        } = map[0];
+        picture(map_name("trust", method, Pair { beta, g, dz }), svg)
+    });
+    drawn.filter_map(Result::transpose).collect()
+}
+
+/// A picture of the shares against the offset for each method and bottom-heaviness with several offsets.
+pub(crate) fn of_trust_against_offset(
+    shares: &[TrustShares],
+) -> Result<Vec<Picture>, CommandError> {
+    let mut shares = shares.to_vec();
+    shares.sort_by(|a, b| a.method.cmp(&b.method).then(a.g.total_cmp(&b.g)));
+    let same =
+        |a: &TrustShares, b: &TrustShares| a.method == b.method && a.g.total_cmp(&b.g).is_eq();
+    let drawn = shares.chunk_by(same).map(|alike| {
+        let name = format!(
+            "trust-dz-{}{}.svg",
+            alike[0].method,
+            suffix("g", alike[0].g)
+        );
+        picture(name, figures::trust_against_offset(alike))
+    });
+    drawn.filter_map(Result::transpose).collect()
+}
+
+/// A name of a map: its numbers are short, and no two of them are written alike.
+fn map_name(name: &str, method: &str, Pair { beta, g, dz }: Pair) -> String {
+    let beta = written(beta);
+    let (gravity, offset) = (suffix("g", g), suffix("dz", dz));
+    format!("{name}-{method}-beta{beta}{gravity}{offset}.svg")
+}
+
+fn suffix(name: &str, value: f64) -> String {
+    if value == 0.0 {
+        String::new()
+    } else {
+        format!("-{name}{}", written(value))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_maps_are_short_and_differ_where_their_numbers_do() {
+        // The least and the largest numbers, those with most digits, and neighbours.
+        let values = [
+            0.0,
+            5.0,
+            0.1,
+            0.1_f64.next_up(),
+            1e-300,
+            1e-300_f64.next_up(),
+            -2.225_073_858_507_201_4e-308,
+            f64::from_bits(1),
+            999_999.999_999_999_9,
+            1e6,
+            f64::MAX,
+            f64::MIN,
+        ];
+        let mut names = Vec::new();
+        for beta in values {
+            for g in values {
+                let pair = Pair { beta, g, dz: beta };
+                let name = map_name("scatter", "lt-corrected", pair);
+                // Three numbers of 24 characters at most, and the words.
+                assert!(name.len() <= 106, "{name}");
+                assert!(!names.contains(&name), "{name}");
+                names.push(name);
+            }
+        }
+        let tiny = Pair {
+            beta: 1e-300,
+            g: 0.0,
+            dz: 0.0,
+        };
+        assert_eq!(map_name("trust", "lt", tiny), "trust-lt-beta1e-300.svg");
+        let usual = Pair {
+            beta: -2.5,
+            g: 30.0,
+            dz: 0.0,
+        };
+        assert_eq!(
+            map_name("scatter", "lt", usual),
+            "scatter-lt-beta-2.5-g30.svg"
+        );
+    }
+}

@@ -1,0 +1,104 @@
+//! The section on bottom-heavy squirmers: the panels of Fig. 8(a-f), and shares of orbits (g).
+
+use crate::commands::bottom_heavy::failure;
+use crate::error::CommandError;
+use crate::page::{Figure, Section, Table};
+use crate::{figures, pictures};
+use compare::bottom_heavy::{PanelRun, panel_runs};
+use compare::maps::{Grid, Maps, Pair};
+use compare::output::{OutputFolder, csv_text};
+use compare::sweep::SweepOptions;
+use compare::{Defaults, Model};
+
+use super::{findings, words, write_unless_less, written};
+
+/// Points a side over which shares are taken: a share of 20 % has a standard error
+/// of 3 %.
+const GRID: usize = 14;
+
+/// Tolerance of their steps, that of the command `fates`.
+const TOLERANCE: f64 = 1e-7;
+
+/// Squirmer parameters of the shares: strong pushers, as in the paper, and strong pullers.
+const BETA: [f64; 2] = [-5.0, 5.0];
+
+/// Bottom-heavinesses of the shares.
+const GRAVITY: [f64; 5] = [0.0, 1.0, 2.0, 2.5, 3.0];
+
+/// The maps behind the shares of orbits.
+pub(super) fn orbit_maps<'a>(
+    models: &[&'a Model],
+    sweep: &SweepOptions,
+    out: &'a OutputFolder,
+) -> Result<Maps<'a>, CommandError> {
+    let mut options = *sweep;
+    options.run.tolerance = TOLERANCE;
+    Ok(Maps {
+        name: "gravity-fates",
+        models: models.to_vec(),
+        exact: None,
+        pairs: (BETA.iter())
+            .flat_map(|&beta| GRAVITY.map(|g| Pair { beta, g, dz: 0.0 }))
+            .collect(),
+        grid: Grid::new(GRID)?,
+        options,
+        out,
+    })
+}
+
+/// The section, and a line about each run without a result.
+pub(super) fn section(
+    models: &[&Model],
+    sweep: &SweepOptions,
+    out: &OutputFolder,
+) -> Result<(Section, Vec<String>), CommandError> {
+    let runs = panel_runs(models, &Defaults::paper()?.bottom_heavy, sweep);
+    let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
+    let summary: Vec<_> = runs.iter().map(PanelRun::summary).collect();
+    let trajectories = csv_text(&rows)?;
+    out.account().enter(runs.iter().map(|run| &run.run));
+    write_unless_less("bottom-heavy.csv", &trajectories, out)?;
+    let picture = pictures::of_bottom_heavy(&runs)?;
+
+    let orbits = orbit_maps(models, sweep, out)?.fates()?;
+    let mut shown = written(picture.into_iter().collect(), out)?;
+    let mut tables = vec![Table {
+        csv: trajectories,
+        file_name: "bottom-heavy.csv".to_owned(),
+        ..Table::from_rows(
+            "What became of each panel's pair by t = 200, and how many times further down it went than \
+             its members would have gone alone; the linked file has the trajectories.",
+            "bottom-heavy.csv",
+            &summary,
+        )?
+    }];
+    // Left out where the time limit was reached.
+    if let Some(orbits) = &orbits {
+        let csv = csv_text(orbits)?;
+        out.write("gravity-fates.csv", &csv)?;
+        let svg = figures::fates(orbits)?;
+        out.write("gravity-fates.svg", &svg)?;
+        shown.push(Figure {
+            svg,
+            caption: words::caption("gravity-fates").to_owned(),
+        });
+        tables.push(Table::from_csv(
+            "Share of each outcome over the incoming angles under gravity.",
+            "gravity-fates.csv",
+            &csv,
+        )?);
+    }
+    let section = Section {
+        id: "bottom-heavy".to_owned(),
+        title: "Bottom-heavy squirmers (Fig. 8)".to_owned(),
+        finding: findings::of_gravity(&summary, orbits.as_deref().unwrap_or_default()),
+        prose: vec![words::BOTTOM_HEAVY.to_owned(), findings::panels(&summary)],
+        figures: shown,
+        tables,
+    };
+    let failures = runs.iter().filter_map(|run| {
+        let reason = run.run.as_ref().err()?;
+        Some(failure(run, reason))
+    });
+    Ok((section, failures.collect()))
+}

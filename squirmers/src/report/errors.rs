@@ -1,0 +1,102 @@
+//! The section on errors: loads and deflections of every method against the exact ones.
+
+use serde::Serialize;
+
+use scene::Hydrodynamics;
+
+use super::{LOADS, findings, words, write_unless_less};
+use crate::error::CommandError;
+use crate::figures;
+use crate::page::{Figure, Section, Table};
+use compare::output::{OutputFolder, csv_text};
+use compare::sweep::{self, SweepOptions};
+use compare::{Encounter, LoadErrorRow, Method, Model, ModelOptions, comparison, load_errors};
+
+/// How far each method is from the exact loads and the exact deflections. Both forms of
+/// lubrication theory are shown here, whichever ran: they cost nothing.
+pub(super) fn section(
+    models: &[Model],
+    exact: &Model,
+    mut encounters: Vec<Encounter>,
+    sweep: &SweepOptions,
+    out: &OutputFolder,
+) -> Result<Section, CommandError> {
+    let mut extra = Vec::new();
+    for method in [Method::Lt, Method::LtCorrected] {
+        if models.iter().all(|model| model.method() != method) {
+            extra.push(Model::set_up(method, &ModelOptions::default())?);
+        }
+    }
+    let cases: Vec<_> = (encounters.iter())
+        .filter(|encounter| encounter.method == Method::Exact)
+        .map(|encounter| encounter.case)
+        .collect();
+    let more = sweep::encounters(&extra, &cases, sweep);
+    out.account()
+        .enter(more.iter().map(|encounter| &encounter.run));
+    encounters.extend(more);
+    let mut judged: Vec<_> = models.iter().chain(&extra).collect();
+    judged.sort_by_key(|model| model.method());
+
+    let errors = load_errors(&judged, exact, LOADS)?;
+    let slopes = findings::slopes(
+        (judged.iter()).map(|model| (model.method(), *model as &dyn Hydrodynamics)),
+    )?;
+    let errors_csv = csv_text(&errors)?;
+    out.write("load-errors.csv", &errors_csv)?;
+    let svg = figures::load_errors(&errors)?;
+    out.write("load-errors.svg", &svg)?;
+    let comparison_csv = csv_text(&comparison(&encounters))?;
+    write_unless_less("comparison.csv", &comparison_csv, out)?;
+    Ok(Section {
+        id: "errors".to_owned(),
+        title: "How far each method is from the exact answer".to_owned(),
+        finding: findings::of_loads(&errors),
+        prose: vec![words::ERRORS.to_owned(), slopes],
+        figures: vec![Figure {
+            svg,
+            caption: words::caption("load-errors").to_owned(),
+        }],
+        tables: vec![
+            Table {
+                csv: errors_csv,
+                file_name: "load-errors.csv".to_owned(),
+                ..Table::from_rows(
+                    "Worst error over all loads of modes 1 and 2, and which load it is; the \
+                     linked file has every load at every gap.",
+                    "load-errors.csv",
+                    &worst_loads(&errors),
+                )?
+            },
+            Table::from_csv(
+                "Deflections by every method, and how far they are from the exact ones; \
+                 outcomes by lubrication theory as published / exact.",
+                "comparison.csv",
+                &comparison_csv,
+            )?,
+        ],
+    })
+}
+
+/// One line of the summary of load errors.
+#[derive(Serialize)]
+struct WorstLoad {
+    method: &'static str,
+    gap: f64,
+    worst_error: f64,
+    load: String,
+}
+
+/// The worst load of each method at whole powers of ten of the gap.
+fn worst_loads(errors: &[LoadErrorRow]) -> Vec<WorstLoad> {
+    (errors.chunk_by(|a, b| a.method == b.method && a.gap.total_cmp(&b.gap).is_eq()))
+        .filter(|of_gap| (of_gap[0].gap.log10() - of_gap[0].gap.log10().round()).abs() < 1e-9)
+        .filter_map(|of_gap| of_gap.iter().max_by(|a, b| a.error.total_cmp(&b.error)))
+        .map(|row| WorstLoad {
+            method: row.method,
+            gap: row.gap,
+            worst_error: row.error,
+            load: row.name.clone(),
+        })
+        .collect()
+}

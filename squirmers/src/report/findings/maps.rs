@@ -1,0 +1,274 @@
+//! What maps over the incoming angles and pairs under gravity come to.
+
+use super::{called, listed, number, percent, worst};
+use compare::Method;
+use compare::bottom_heavy::PanelRow;
+use compare::maps::{BoundRow, FateRow, TrustShares};
+
+/// Difference of two shares of the plane that is worth a sentence on the first screen.
+const NOTEWORTHY: f64 = 0.05;
+
+/// Which pairs stay bound, model by model, where models differ much.
+pub(in crate::report) fn of_bound(shares: &[FateRow]) -> String {
+    let mut parts = Vec::new();
+    let mut betas: Vec<f64> = shares.iter().map(|row| row.beta).collect();
+    betas.sort_by(f64::total_cmp);
+    betas.dedup();
+    for beta in betas.into_iter().rev() {
+        let of_beta: Vec<&FateRow> = (shares.iter())
+            .filter(|row| (row.beta - beta) == 0.0)
+            .collect();
+        let ends = of_beta.iter().map(|row| row.pairwise - row.orbits());
+        let (least, most) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
+            (x.min(a), x.max(b))
+        });
+        if most - least > NOTEWORTHY {
+            let by: Vec<String> = of_beta.iter().map(|row| bound_by(row)).collect();
+            parts.push(format!("β = {}: {}", number(beta), listed(&by)));
+        }
+    }
+    if parts.is_empty() {
+        return "All models bind the same pairs.".to_owned();
+    }
+    format!(
+        "Pairs that stay bound, where models differ most: {}.",
+        parts.join("; ")
+    )
+}
+
+fn bound_by(row: &FateRow) -> String {
+    let kinds = [
+        ("side by side", row.pairwise),
+        ("orbiting", row.orbits()),
+        ("at rest", row.standoff),
+    ];
+    let kinds: Vec<String> = (kinds.into_iter())
+        .filter(|(_, share)| *share > 0.01)
+        .map(|(kind, share)| format!("{} {kind}", percent(share)))
+        .collect();
+    let of = if kinds.is_empty() {
+        "none".to_owned()
+    } else {
+        kinds.join(", ")
+    };
+    format!("{of} by {}", called(&row.method))
+}
+
+/// Where the bound share of two models differs most.
+pub(in crate::report) fn of_fates(rows: &[FateRow]) -> String {
+    let (exact, judged): (Vec<&FateRow>, Vec<&FateRow>) =
+        (rows.iter()).partition(|row| row.method == Method::Exact.name());
+    let pairs = judged.into_iter().filter_map(|row| {
+        let of = exact.iter().find(|e| (e.beta - row.beta) == 0.0)?;
+        Some((row, *of))
+    });
+    let Some((judged, exact)) = worst(pairs, |(a, b)| a.bound() - b.bound()) else {
+        return String::new();
+    };
+    format!(
+        "Over β from {} to {} the share of bound pairs differs most at β = {}: {} by {}, {} by exact hydrodynamics.",
+        number(
+            rows.iter()
+                .map(|row| row.beta)
+                .fold(f64::INFINITY, f64::min)
+        ),
+        number(
+            rows.iter()
+                .map(|row| row.beta)
+                .fold(f64::NEG_INFINITY, f64::max)
+        ),
+        number(judged.beta),
+        percent(judged.bound()),
+        called(&judged.method),
+        percent(exact.bound()),
+    )
+}
+
+/// Over which share of the plane a model can be trusted.
+pub(in crate::report) fn of_trust(shares: &[TrustShares]) -> String {
+    let methods = shares.chunk_by(|a, b| a.method == b.method);
+    let sentences: Vec<String> = methods
+        .map(|of_method| {
+            let parts: Vec<String> = (of_method.iter())
+                .map(|row| {
+                    format!(
+                        "{} for β = {}",
+                        percent(row.within_5_deg + row.within_15_deg),
+                        number(row.beta)
+                    )
+                })
+                .collect();
+            let name = called(&of_method[0].method);
+            format!(
+                "Both outgoing directions by {name} are within 15° of the exact ones over {} of the incoming angles.",
+                listed(&parts)
+            )
+        })
+        .collect();
+    sentences.join(" ")
+}
+
+/// What an offset out of the plane does to the outcomes of the pair that is judged worst in the plane.
+pub(in crate::report) fn of_trust_against_offset(shares: &[TrustShares]) -> String {
+    let in_plane = shares.iter().filter(|row| row.dz == 0.0);
+    let Some(row) = worst(in_plane, |row| row.other_outcome) else {
+        return String::new();
+    };
+    let same = |other: &&TrustShares| {
+        other.method == row.method && (other.beta - row.beta) == 0.0 && other.dz != 0.0
+    };
+    let off = shares.iter().filter(same);
+    let Some(most) = worst(off, |row| row.other_outcome) else {
+        return String::new();
+    };
+    format!(
+        "For β = {} {} has another outcome over {} of the plane; with an offset out of it over at most {} (δz = {}).",
+        number(row.beta),
+        called(&row.method),
+        percent(row.other_outcome),
+        percent(most.other_outcome),
+        number(most.dz)
+    )
+}
+
+/// Which states attract, model by model.
+pub(in crate::report) fn of_states(states: &[BoundRow]) -> String {
+    let stable: Vec<String> = (states.iter())
+        .filter(|state| state.growth < 0.0 && !state.one_of_a_line)
+        .map(|state| {
+            format!(
+                "{} has {} at β = {} (gap {:.3}, disturbances decay at the rate {:.3})",
+                called(&state.method),
+                state.outcome,
+                number(state.beta),
+                state.gap,
+                -state.growth
+            )
+        })
+        .collect();
+    let mut text = if stable.is_empty() {
+        "No bound state attracts.".to_owned()
+    } else {
+        format!(
+            "Bound states that attract every small disturbance in the plane: {}. All others in the table are \
+             saddles, or neutral.",
+            stable.join("; ")
+        )
+    };
+    if let Some(line) = states.iter().find(|state| state.one_of_a_line) {
+        text += &format!(
+            " Besides, {} has a line of neutral states, any two squirmers side by side in parallel at a gap of {}: \
+             its cut, where its loads have faded to those of lone squirmers. That is where its pullers swim together.",
+            called(&line.method),
+            number((line.gap * 1e6).round() / 1e6)
+        );
+    }
+    text
+}
+
+/// What exact hydrodynamics makes of the panels of Fig. 8, panel by panel.
+pub(in crate::report) fn panels(rows: &[PanelRow]) -> String {
+    let mut names: Vec<&str> = rows.iter().map(|row| row.panel.as_str()).collect();
+    names.sort_unstable();
+    names.dedup();
+    let parts = names.into_iter().map(|panel| {
+        let by = rows.iter().filter(|row| row.panel == panel).map(|row| {
+            let mut text = format!("{} by {}", row.outcome, called(row.method));
+            if row.min_gap.is_finite() {
+                text += &format!(" (smallest gap {:.3}", row.min_gap);
+                if row.depth_ratio.is_finite() {
+                    text += &format!(", {:.2} times as far down as alone", row.depth_ratio);
+                }
+                text += ")";
+            }
+            text
+        });
+        format!("({panel}) {}", by.collect::<Vec<_>>().join(", "))
+    });
+    format!(
+        "What becomes of the panels: {}.",
+        parts.collect::<Vec<_>>().join("; ")
+    )
+}
+
+/// How many panels of Fig. 8 end otherwise, and up to which bottom-heaviness pairs orbit.
+pub(in crate::report) fn of_gravity(rows: &[PanelRow], orbits: &[FateRow]) -> String {
+    let [lt, exact] = [Method::Lt, Method::Exact]
+        .map(|method| (rows.iter().filter(|row| row.method == method.name())).collect::<Vec<_>>());
+    let mut text = String::new();
+    if !lt.is_empty() && lt.len() == exact.len() {
+        let otherwise = (lt.iter().zip(&exact)).filter(|(a, b)| a.outcome != b.outcome);
+        text += &format!(
+            "Under gravity {} of the {} panels of Fig. 8 end otherwise by exact hydrodynamics than by lubrication \
+             theory. ",
+            otherwise.count(),
+            lt.len()
+        );
+    }
+    text + &orbits_in_words(orbits)
+}
+
+/// Up to which bottom-heaviness pairs orbit, with the share of starts that do.
+fn orbits_in_words(rows: &[FateRow]) -> String {
+    let maps = rows.chunk_by(|a, b| a.method == b.method && (a.beta - b.beta) == 0.0);
+    let parts: Vec<String> = maps
+        .filter_map(|map| {
+            let row = map.iter().rev().find(|row| row.orbits() > 0.0)?;
+            let FateRow {
+                beta, method, g, ..
+            } = row;
+            let (beta, g, share) = (number(*beta), number(*g), percent(row.orbits()));
+            Some(format!(
+                "β = {beta} by {} up to G = {g} ({share} there)",
+                called(method)
+            ))
+        })
+        .collect();
+    if parts.is_empty() {
+        String::new()
+    } else {
+        format!("Starts end in orbits for {}.", listed(&parts))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shares(beta: f64, dz: f64, other_outcome: f64) -> TrustShares {
+        TrustShares {
+            method: "lt".to_owned(),
+            beta,
+            g: 0.0,
+            dz,
+            within_5_deg: 0.25,
+            within_15_deg: 0.5,
+            within_45_deg: 0.0,
+            beyond_45_deg: 0.25 - other_outcome,
+            same_outcome: 0.0,
+            other_outcome,
+            failed: 0.0,
+        }
+    }
+
+    #[test]
+    fn sentences_say_what_the_rows_hold() {
+        let rows = [
+            shares(1.0, 0.0, 0.01),
+            shares(-5.0, 0.0, 0.2),
+            shares(-5.0, 0.1, 0.05),
+        ];
+        let text = of_trust(&rows[..2]);
+        assert!(
+            text.contains("75.0 % for β = 1 and 75.0 % for β = −5"),
+            "{text}"
+        );
+        let text = of_trust_against_offset(&rows);
+        assert!(
+            text.contains("For β = −5 lubrication theory has another outcome over 20.0 %"),
+            "{text}"
+        );
+        assert!(text.contains("at most 5.0 % (δz = 0.1)"), "{text}");
+        assert_eq!(of_trust_against_offset(&[]), "");
+    }
+}
