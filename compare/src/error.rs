@@ -44,6 +44,14 @@ pub enum CompareError {
         /// Finished pieces in it.
         chunks: usize,
     },
+    /// A share of a sweep that can't be merged with the others.
+    #[error("'{path}': {reason}")]
+    Share {
+        /// Its folder or file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
     /// Runs without a result; everything else is written.
     #[error("{failed} of the runs failed")]
     RunsFailed {

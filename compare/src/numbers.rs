@@ -1,4 +1,5 @@
-//! Numbers as people type them and as they read them: on the command line lists `1,2,5` and ranges `a:b:step`.
+//! Numbers as people type them and as they read them: on the command line lists `1,2,5`, ranges `a:b:step` and
+//! logarithmic ranges `a:b:log:count`.
 
 use std::ops::Range;
 
@@ -9,7 +10,7 @@ const MOST: usize = 100_000;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Numbers(pub Vec<f64>);
 
-/// Parses a comma list of numbers and ranges `a:b:step` (both ends included).
+/// Parses a comma list of numbers, ranges `a:b:step` and logarithmic ranges `a:b:log:count`, both with both ends.
 ///
 /// # Errors
 /// One line that names the part that is wrong and what is allowed.
@@ -17,6 +18,7 @@ pub struct Numbers(pub Vec<f64>);
 /// ```
 /// use compare::parse_numbers;
 /// assert_eq!(parse_numbers("-1,0:1:0.5")?.0, [-1.0, 0.0, 0.5, 1.0]);
+/// assert_eq!(parse_numbers("0.01:1:log:3")?.0, [0.01, 0.1, 1.0]);
 /// assert!(parse_numbers("1,x").unwrap_err().contains("'x'"));
 /// # Ok::<(), String>(())
 /// ```
@@ -29,7 +31,19 @@ pub fn parse_numbers(text: &str) -> Result<Numbers, String> {
         match *part.split(':').collect::<Vec<_>>() {
             [single] => numbers.push(number(single)?),
             [from, to, step] => range(number(from)?, number(to)?, number(step)?, &mut numbers)?,
-            _ => return Err(format!("'{part}' is neither a number nor a range a:b:step")),
+            [from, to, "log", count] => {
+                logarithmic(
+                    number(from)?,
+                    number(to)?,
+                    parse_whole(count)?,
+                    &mut numbers,
+                )?;
+            }
+            _ => {
+                return Err(format!(
+                    "'{part}' is neither a number nor a range a:b:step or a:b:log:count"
+                ));
+            }
         }
         if numbers.len() > MOST {
             return Err(format!(
@@ -137,6 +151,34 @@ fn range(from: f64, to: f64, step: f64, numbers: &mut Vec<f64>) -> Result<(), St
     Ok(())
 }
 
+/// `count` numbers whose logarithms are evenly spread.
+fn logarithmic(from: f64, to: f64, count: usize, numbers: &mut Vec<f64>) -> Result<(), String> {
+    let range = || format!("{}:{}:log:{count}", written(from), written(to));
+    // Both ends have the same sign.
+    if from * to <= 0.0 || !(to / from).is_finite() {
+        return Err(format!(
+            "range {} has no logarithms: both ends must be greater than 0, or both less",
+            range()
+        ));
+    }
+    if !(2..=MOST).contains(&count) {
+        return Err(format!(
+            "range {} must hold from 2 to {MOST} numbers",
+            range()
+        ));
+    }
+    let decades = (to / from).log10();
+    numbers.extend((0..count).map(|i| match i {
+        0 => from,
+        i if i + 1 == count => to,
+        i => {
+            let value = from * 10_f64.powf(decades * i as f64 / (count - 1) as f64);
+            as_typed(value, value)
+        }
+    }));
+    Ok(())
+}
+
 /// A number as a person reads it: with an exponent where it would otherwise be a row of zeros.
 #[must_use]
 pub fn written(value: f64) -> String {
@@ -214,6 +256,17 @@ mod tests {
     }
 
     #[test]
+    fn logarithmic_ranges_have_one_ratio_and_both_ends() {
+        let numbers = parse_numbers("-3:-0.003:log:4").unwrap().0;
+        assert_eq!(numbers, [-3.0, -0.3, -0.03, -0.003]);
+        let numbers = parse_numbers("1e-300:1e300:log:7").unwrap().0;
+        for two in numbers.windows(2) {
+            assert!((two[1] / two[0] / 1e100 - 1.0).abs() < 1e-9, "{numbers:?}");
+        }
+        assert_eq!((numbers[0], numbers[6]), (1e-300, 1e300));
+    }
+
+    #[test]
     fn ranges_of_tiny_numbers_keep_their_digits() {
         let numbers = parse_numbers("1e-14:3e-14:1e-14").unwrap().0;
         for (found, expected) in numbers.iter().zip([1e-14, 2e-14, 3e-14]) {
@@ -266,6 +319,11 @@ mod tests {
             ("nan", "'nan'"),
             ("1,inf", "'inf'"),
             ("1:2", "'1:2'"),
+            ("0:1:log:3", "0:1:log:3"),
+            ("-1:1:log:3", "-1:1:log:3"),
+            ("1:2:log:1", "from 2"),
+            ("1:2:log:x", "'x'"),
+            ("1:2:ln:3", "'1:2:ln:3'"),
             ("1:2:-1", "1:2:-1"),
             ("0:1:0", "0:1:0"),
             ("0:1:1e-9", "more than"),

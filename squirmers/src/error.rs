@@ -58,6 +58,7 @@ impl CommandError {
             | CompareError::Write { .. }
             | CompareError::Busy { .. }
             | CompareError::OtherSweep { .. }
+            | CompareError::Share { .. }
             | CompareError::Bem(_) => 2,
             CompareError::Stopped { .. } => STOPPED,
             CompareError::Interrupted { .. } => interrupt::STATUS,

@@ -109,10 +109,11 @@ impl Maps<'_> {
     /// # Errors
     /// [`CompareError::Write`] if rows cannot be kept.
     pub fn fates(&self) -> Result<Option<Vec<FateRow>>, CompareError> {
-        let journal = self.lines(|model, pair, sigma, options| {
+        let sweep = self.sweep();
+        let lines = self.lines(&sweep, |model, pair, sigma, options| {
             csv_lines(&[Counts::of(&line(model, pair, self.grid, sigma, options))])
         })?;
-        let Some(journal) = journal else {
+        let Some(lines) = lines else {
             return Ok(None);
         };
         let mut rows = Vec::new();
@@ -122,7 +123,7 @@ impl Maps<'_> {
             rows.push(fate_row(model.method(), pair, &counts));
             Ok(())
         };
-        self.hand_over(journal, false, &mut see)?;
+        self.hand_over(lines, false, &mut see)?;
         Ok(Some(rows))
     }
 }

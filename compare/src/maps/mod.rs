@@ -4,7 +4,6 @@
 mod bound;
 mod fates;
 mod grid;
-pub(crate) mod resume;
 mod scatter;
 mod trust;
 
@@ -14,11 +13,10 @@ use scene::{Hydrodynamics, RunOptions};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::output::{OutputFolder, csv_text, rows_of};
-use crate::sweep::SweepOptions;
+use crate::output::{OutputFolder, csv_header};
+use crate::sweep::{Computed, Kept, Sweep, SweepOptions};
 use crate::watch::notice;
 use crate::{CompareError, Model};
-use resume::Journal;
 
 pub use bound::{BoundExample, BoundRow, bound_examples, bound_rows};
 pub use fates::Share;
@@ -56,7 +54,7 @@ impl Maps<'_> {
     /// # Errors
     /// [`CompareError::OtherSweep`] if lines would be; [`CompareError::Write`].
     pub fn check(&self) -> Result<(), CompareError> {
-        Journal::check(self.out, self.name, &self.key())
+        self.sweep().check()
     }
 
     /// All that the rows depend on, in one line.
@@ -93,84 +91,88 @@ impl Maps<'_> {
         (self.models.iter()).flat_map(|model| self.pairs.iter().map(move |&pair| (*model, pair)))
     }
 
-    /// Computes the lines that are missing, each to CSV lines; `None`, and a note on standard error, if the time
-    /// limit left some out.
-    fn lines(
+    /// Its lines of constant `Sigma`, each kept by itself.
+    fn sweep(&self) -> Sweep<'_> {
+        Sweep {
+            name: self.name,
+            units: 0..self.models.len() * self.pairs.len() * self.grid.points(),
+            size: 1,
+            what: "lines of the map",
+            key: self.key(),
+            time_limit: self.options.time_limit,
+            out: self.out,
+        }
+    }
+
+    /// Computes the lines that are missing, each to CSV lines; whether that is all of them. A note tells of those that
+    /// the time limit left out.
+    fn lines<'s>(
         &self,
+        sweep: &'s Sweep<'s>,
         compute: impl Fn(&Model, Pair, f64, &RunOptions) -> Result<String, CompareError> + Sync,
-    ) -> Result<Option<Journal>, CompareError> {
-        let sigmas = self.grid.values();
-        let chunks = self.models.len() * self.pairs.len() * sigmas.len();
-        let (journal, run) = (
-            Journal::open(self.out, self.name, &self.key())?,
-            self.run_options(),
-        );
-        let limit = self.options.time_limit;
-        let left = journal.run(chunks, "lines of the map", limit, |chunk| {
-            let (map, line) = (chunk / sigmas.len(), chunk % sigmas.len());
+    ) -> Result<Option<Kept<'s>>, CompareError> {
+        let (sigmas, run) = (self.grid.values(), self.run_options());
+        let kept = sweep.run(|unit| {
+            let (map, line) = (unit / sigmas.len(), unit % sigmas.len());
             let model = self.models[map / self.pairs.len()];
             let pair = self.pairs[map % self.pairs.len()];
-            compute(model, pair, sigmas[line], &run)
+            let lines = compute(model, pair, sigmas[line], &run)?;
+            Ok(Computed {
+                lines,
+                failure: None,
+            })
         })?;
+        let left = kept.left();
         if left > 0 {
             self.out.account().skipped(left);
             notice!(
-                "skipped: the time limit was reached before {left} of {chunks} lines of constant \
-                 Sigma; the same command goes on from {}.csv.part",
+                "skipped: the time limit was reached before {left} of {} lines of constant Sigma; the same command \
+                 goes on from {}.csv.part",
+                kept.pieces(),
                 self.name
             );
             return Ok(None);
         }
-        Ok(Some(journal))
+        Ok(Some(kept))
     }
 
-    /// The rows of the map with this number.
-    fn rows_of_map<R: DeserializeOwned>(
-        &self,
-        journal: &Journal,
-        map: usize,
-    ) -> Result<Vec<R>, CompareError> {
+    /// The lines of the map with this number.
+    fn lines_of_map(&self, map: usize) -> std::ops::Range<usize> {
         let lines = self.grid.points();
-        let mut rows = Vec::new();
-        for chunk in map * lines..(map + 1) * lines {
-            if let Some(text) = journal.lines(chunk)? {
-                rows.extend(rows_of::<R>(&text)?);
-            }
-        }
-        Ok(rows)
+        map * lines..(map + 1) * lines
     }
 
     /// Hands each map's rows to `see`, one map at a time, and writes them to the maps' file if they are to be kept.
     fn hand_over<R: Serialize + DeserializeOwned, E: From<CompareError>>(
         &self,
-        journal: Journal,
-        kept: bool,
+        kept: Kept<'_>,
+        to_file: bool,
         see: &mut SeeMap<'_, R, E>,
     ) -> Result<(), E> {
         let mut maps = |file: Option<&mut dyn Write>| -> Result<(), E> {
             let mut file = file;
             for (map, (model, pair)) in self.each().enumerate() {
-                let rows = self.rows_of_map(&journal, map)?;
+                let rows = kept.rows(self.lines_of_map(map))?;
                 if let Some(file) = &mut file {
-                    self.write_map(&journal, map, &rows, file)?;
+                    self.write_map(&kept, map, &rows, file)?;
                 }
                 see(model, pair, rows)?;
             }
             Ok(())
         };
-        if !kept {
+        if !to_file {
             // The lines go when the file that is made of them is there.
             return maps(None);
         }
         let name = format!("{}.csv", self.name);
         self.out.write_by(&name, |file| maps(Some(file)))?;
-        Ok(journal.close()?)
+        Ok(kept.close()?)
     }
 
     /// Writes a map's lines, below the header if it is the first one.
     fn write_map<R: Serialize>(
         &self,
-        journal: &Journal,
+        kept: &Kept<'_>,
         map: usize,
         rows: &[R],
         file: &mut dyn Write,
@@ -181,12 +183,10 @@ impl Maps<'_> {
             written.map_err(|source| self.out.failed(&name, source))
         };
         if map == 0 {
-            let text = csv_text(rows.get(..1).unwrap_or_default())?;
-            write(text.split_inclusive('\n').next().unwrap_or_default())?;
+            write(&(csv_header(rows.get(..1).unwrap_or_default())? + "\n"))?;
         }
-        let lines = self.grid.points();
-        for chunk in map * lines..(map + 1) * lines {
-            write(&journal.lines(chunk)?.unwrap_or_default())?;
+        for line in self.lines_of_map(map) {
+            write(&kept.lines(line)?.unwrap_or_default())?;
         }
         Ok(())
     }

@@ -84,13 +84,14 @@ impl Maps<'_> {
         &self,
         see: &mut SeeMap<'_, ScatterRow, E>,
     ) -> Result<bool, E> {
-        let journal = self.lines(|model, pair, sigma, options| {
+        let sweep = self.sweep();
+        let lines = self.lines(&sweep, |model, pair, sigma, options| {
             csv_lines(&line(model, pair, self.grid, sigma, options))
         })?;
-        let Some(journal) = journal else {
+        let Some(lines) = lines else {
             return Ok(false);
         };
-        self.hand_over(journal, true, &mut |model, pair, rows: Vec<ScatterRow>| {
+        self.hand_over(lines, true, &mut |model, pair, rows: Vec<ScatterRow>| {
             let failed = rows.iter().filter(|row| row.outcome == FAILED).count();
             self.out.account().failed(failed);
             see(model, pair, rows)

@@ -197,15 +197,16 @@ impl Maps<'_> {
             let allowed = "name exact, and what it is to judge, such as lt,exact";
             return Err(CompareError::input("--method", "without exact", allowed).into());
         };
-        let journal = self.lines(|model, pair, sigma, options| {
+        let sweep = self.sweep();
+        let lines = self.lines(&sweep, |model, pair, sigma, options| {
             let judged = line(model, pair, self.grid, sigma, options);
             let referee = line(exact, pair, self.grid, sigma, options);
             csv_lines(&trust_rows(&judged, &referee, pair))
         })?;
-        let Some(journal) = journal else {
+        let Some(lines) = lines else {
             return Ok(false);
         };
-        self.hand_over(journal, kept, &mut |model, pair, rows: Vec<TrustRow>| {
+        self.hand_over(lines, kept, &mut |model, pair, rows: Vec<TrustRow>| {
             let outcomes = (rows.iter()).flat_map(|row| [&row.outcome_lt, &row.outcome_exact]);
             let failed = outcomes.filter(|outcome| *outcome == FAILED).count();
             self.out.account().failed(failed);

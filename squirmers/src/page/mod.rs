@@ -3,15 +3,15 @@
 //! A new figure is a new [`Section`] in [`Page::sections`]; the template knows of none in particular.
 
 mod cost;
-mod template;
 mod table;
+mod template;
 #[cfg(test)]
 mod tests;
 
 pub use cost::MethodCost;
-pub use template::render;
 pub use table::Table;
 pub(crate) use table::rounded;
+pub use template::render;
 
 /// Everything on the page.
 #[derive(Clone, Debug, Default)]

@@ -1,22 +1,14 @@
 //! Runs cases by methods, in parallel, in a fixed order.
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
 use scene::RunOptions;
 
+use super::SweepOptions;
 use crate::watch::{Pieces, Progress};
 use crate::{Case, Encounter, Model, NoRun, OffsetRow};
-
-/// How a sweep runs.
-#[derive(Clone, Copy, Debug)]
-pub struct SweepOptions {
-    /// How each scene runs.
-    pub run: RunOptions,
-    /// Time after which no further run is begun; those left out are reported as skipped.
-    pub time_limit: Option<Duration>,
-}
 
 /// Every case by every method: methods outermost, cases in their order.
 #[must_use]

@@ -1,0 +1,28 @@
+//! Sweeps: many runs in a fixed order, in parallel, kept on disk as they come, shared among machines.
+
+mod encounters;
+mod journal;
+mod manifest;
+mod merge;
+mod pieces;
+mod share;
+
+use std::time::Duration;
+
+use scene::RunOptions;
+
+pub(crate) use encounters::{encounter, offset_row, skipped};
+pub use encounters::{encounters, offsets, with_offsets};
+pub use manifest::{Arithmetic, Axis, Manifest, ManifestModel, SweepIdentity};
+pub use merge::{Merged, merge};
+pub use pieces::{Computed, Done, Kept, Row, Sweep};
+pub use share::Share;
+
+/// How a sweep runs.
+#[derive(Clone, Copy, Debug)]
+pub struct SweepOptions {
+    /// How each scene runs.
+    pub run: RunOptions,
+    /// Time after which no further run is begun; those left out are reported as skipped.
+    pub time_limit: Option<Duration>,
+}
