@@ -94,6 +94,9 @@ pub enum CompareError {
         /// The mistakes.
         mistakes: crate::Mistakes,
     },
+    /// A point of a family that is no scene.
+    #[error("a point of the family is no scene (line:column: key):\n{0}")]
+    FamilyPoint(crate::Mistakes),
     /// A summary could not be turned into text.
     #[error("summary cannot be written: {0}")]
     Json(#[from] serde_json::Error),

@@ -13,6 +13,7 @@ use scene::{
 };
 
 use crate::watch::{Pieces, Progress};
+use crate::scene_file::Hydrodynamics as InFiles;
 use crate::{CompareError, Method};
 
 /// Interpolation error of the tables of boundary elements, relative to the larger of the load and
@@ -109,6 +110,7 @@ macro_rules! on_kind {
 /// A method ready to run.
 pub struct Model {
     method: Method,
+    mesh: usize,
     kind: Kind,
     set_up_seconds: f64,
 }
@@ -144,6 +146,7 @@ impl Model {
         };
         Ok(Self {
             method,
+            mesh: options.mesh,
             kind,
             set_up_seconds: started.elapsed().as_secs_f64(),
         })
@@ -153,6 +156,16 @@ impl Model {
     #[must_use]
     pub fn method(&self) -> Method {
         self.method
+    }
+
+    /// The model as scene files say it.
+    #[must_use]
+    pub fn as_in_files(&self) -> InFiles {
+        InFiles {
+            method: self.method,
+            mesh: self.mesh,
+            direct: self.is_direct(),
+        }
     }
 
     /// Wall-clock time of [`Self::set_up`], in seconds.

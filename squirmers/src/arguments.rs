@@ -6,6 +6,7 @@ use clap::{Args, Parser, Subcommand};
 
 use crate::commands::cost::CostArguments;
 use crate::commands::maps::{self, MapArguments, TrustArguments};
+use crate::commands::sweep::{self, MergeArguments, SweepArguments};
 use crate::commands::{bottom_heavy, scene};
 use crate::error::CommandError;
 use compare::Method;
@@ -15,7 +16,7 @@ use compare::output::OutputFolder;
 /// Two squirming spheres in a Stokes fluid: lubrication theory against full hydrodynamics.
 ///
 /// Lengths are in sphere radii a, times in a/V_s, angles in degrees. Lists are numbers with commas,
-/// and ranges a:b:step. Each command writes DIR/<command>.csv and its pictures.
+/// ranges a:b:step and logarithmic ranges a:b:log:count. Each command writes DIR/<command>.csv and its pictures.
 #[derive(Debug, Parser)]
 #[command(
     name = "squirmers",
@@ -130,6 +131,16 @@ pub(crate) enum Command {
     /// Numerically hard cases, each held against a bound; exit status 1 if one is broken
     #[command(after_help = "Example:\n  squirmers hard-cases --out out")]
     HardCases,
+    /// A family of scenes along any of its parameters: one row a scene and model
+    #[command(
+        after_help = "Example:\n  squirmers sweep opposed --vary beta=-5,0,5 --vary dx=0.5:3:0.5 --method lt,exact\n  \
+                            squirmers sweep mine.toml --vary kappa=1:100:log:9 --partition 2/7 --out share-2"
+    )]
+    #[command(mut_arg("method", sweep::methods), mut_arg("time_limit", sweep::time_limit))]
+    Sweep(SweepArguments),
+    /// Shares of a sweep, put together as if it had not been shared
+    #[command(after_help = "Example:\n  squirmers merge share-1 share-2 share-3 --out whole")]
+    Merge(MergeArguments),
     /// All of it, with the paper's cases, into one self-contained index.html
     #[command(after_help = "Example:\n  squirmers report --out out && xdg-open out/index.html")]
     Report {
@@ -181,6 +192,12 @@ pub(crate) struct RunArguments {
         allow_hyphen_values = true
     )]
     pub tol: f64,
+    #[command(flatten)]
+    pub limits: LimitArguments,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct LimitArguments {
     /// Distance of the centres, in radii, at which the angles of a pair that parts are read: 12 as the paper does,
     /// or inf for their limit; where it parts, if that is further out
     #[arg(

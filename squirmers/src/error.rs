@@ -55,6 +55,7 @@ impl CommandError {
             CompareError::Input { .. }
             | CompareError::Read { .. }
             | CompareError::SceneFile { .. }
+            | CompareError::FamilyPoint(_)
             | CompareError::Write { .. }
             | CompareError::Busy { .. }
             | CompareError::OtherSweep { .. }

@@ -1,4 +1,4 @@
-//! Every figure of the README is computed here again, and the README has to say it.
+//! Every number of docs/FINDINGS.md is computed here again, and the page has to say it; the README repeats lines of it.
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
@@ -13,12 +13,19 @@ use compare::{Approach, Case, Defaults, Encounter, Method, Model, ModelOptions};
 use rayon::prelude::*;
 use scene::{LoadSet, RunOptions};
 
-/// What the README has to say, and does not.
+/// The text of a file of the project, without line breaks.
+fn words_of(file: &str) -> String {
+    let path = format!("{}/../{file}", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(path).unwrap();
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// What the findings have to say.
 #[derive(Default)]
 struct Claims(Vec<String>);
 
 impl Claims {
-    /// The README has to say this.
+    /// The findings have to say this.
     fn says(&mut self, what: &str) {
         self.0.push(what.to_owned());
     }
@@ -30,11 +37,9 @@ impl Drop for Claims {
         if std::thread::panicking() {
             return;
         }
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
-        let text = std::fs::read_to_string(path).unwrap();
-        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let text = words_of("docs/FINDINGS.md");
         let missing: Vec<_> = self.0.iter().filter(|c| !text.contains(*c)).collect();
-        assert!(missing.is_empty(), "the README does not say: {missing:#?}");
+        assert!(missing.is_empty(), "docs/FINDINGS.md does not say: {missing:#?}");
     }
 }
 
@@ -109,6 +114,31 @@ fn case(approach: Approach, beta: f64, dx: f64) -> Case {
         beta,
         dx,
         dz: 0.0,
+    }
+}
+
+/// Lines of the table and entries of the list, each without line breaks.
+fn statements(text: &str) -> Vec<String> {
+    let section = text.split_once("## What was found\n").unwrap().1;
+    let section = section.split("\n## ").next().unwrap();
+    let rows = section.lines().filter(|line| line.starts_with("| ")).skip(1);
+    let entries = section.split("\n- ").skip(1);
+    let entries = entries.map(|entry| entry.split("\n\n").next().unwrap());
+    (rows.chain(entries))
+        .map(|one| one.split_whitespace().collect::<Vec<_>>().join(" "))
+        .collect()
+}
+
+#[test]
+fn readme_repeats_what_the_findings_say() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../README.md");
+    let readme = std::fs::read_to_string(path).unwrap();
+    let findings = words_of("docs/FINDINGS.md");
+    let statements = statements(&readme);
+    // Four rows and four findings.
+    assert_eq!(statements.len(), 8, "{statements:#?}");
+    for statement in statements {
+        assert!(findings.contains(&statement), "docs/FINDINGS.md lacks: {statement}");
     }
 }
 

@@ -29,6 +29,11 @@ pub struct Merged {
 /// [`CompareError::Share`], naming the share that is missing, there twice, of another sweep, or torn;
 /// [`CompareError::Write`].
 pub fn merge(folders: &[PathBuf], out: &OutputFolder) -> Result<Merged, CompareError> {
+    let own = out.path().canonicalize().ok();
+    if let Some(folder) = folders.iter().find(|folder| folder.canonicalize().ok() == own) {
+        let allowed = "it is the folder of a share, which would be lost: give another one";
+        return Err(CompareError::input("--out", folder.display(), allowed));
+    }
     let shares = in_order(folders)?;
     let Some((_, first)) = shares.first() else {
         return Err(CompareError::input(
@@ -212,4 +217,162 @@ fn copy(
         )));
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sweep::{Axis, ManifestModel};
+
+    /// Rows of the sweep in these tests.
+    const ALL: usize = 10;
+
+    fn arithmetic(functions: &str) -> Arithmetic {
+        Arithmetic {
+            machine: "test".to_owned(),
+            functions: functions.to_owned(),
+            loads: Vec::new(),
+        }
+    }
+
+    /// A folder with one share, made different by `change`.
+    fn share(number: usize, of: usize, change: impl FnOnce(&mut Manifest)) -> tempfile::TempDir {
+        let folder = tempfile::tempdir().unwrap();
+        let share = Share { number, of };
+        let rows = share.units(ALL);
+        let mut text = "x,outcome\n".to_owned();
+        for row in rows.clone() {
+            text.push_str(&format!("{row}.5,scattered\n"));
+        }
+        let path = folder.path().join(ROWS);
+        std::fs::write(&path, text).unwrap();
+        let (bytes, checksum) = measured(&path).unwrap();
+        let mut manifest = Manifest {
+            sweep: SweepIdentity {
+                version: "squirmers".to_owned(),
+                family: "text".to_owned(),
+                axes: vec![Axis {
+                    name: "x".to_owned(),
+                    values: vec![0.5],
+                }],
+                models: vec![ManifestModel {
+                    name: "lt".to_owned(),
+                    fingerprint: "1".to_owned(),
+                }],
+                run: "tolerance 1e-8".to_owned(),
+            },
+            share,
+            rows,
+            all_rows: ALL,
+            failed: 0,
+            bytes,
+            checksum,
+            arithmetic: vec![arithmetic("one")],
+            threads: 1,
+            seconds: 1.0,
+        };
+        change(&mut manifest);
+        std::fs::write(folder.path().join(Manifest::FILE), manifest.json().unwrap()).unwrap();
+        folder
+    }
+
+    fn merged(shares: &[tempfile::TempDir]) -> (Result<Merged, CompareError>, Option<String>) {
+        let folder = tempfile::tempdir().unwrap();
+        let out = OutputFolder::open(folder.path()).unwrap();
+        let paths: Vec<_> = shares.iter().map(|s| s.path().to_owned()).collect();
+        let merged = merge(&paths, &out);
+        (merged, out.read(ROWS))
+    }
+
+    /// What is said of shares that are refused; nothing is written of them.
+    fn refusal(shares: &[tempfile::TempDir]) -> String {
+        let (merged, written) = merged(shares);
+        assert_eq!(written, None);
+        merged.unwrap_err().to_string()
+    }
+
+    #[test]
+    fn shares_in_any_order_give_the_file_of_the_whole() {
+        let whole = share(1, 1, |_| {});
+        let text = std::fs::read_to_string(whole.path().join(ROWS)).unwrap();
+        let shares = [3, 1, 2].map(|number| share(number, 3, |_| {}));
+        let (merged, found) = merged(&shares);
+        let merged = merged.unwrap();
+        assert_eq!(found, Some(text));
+        assert_eq!((merged.shares, merged.rows), (3, ALL));
+        assert_eq!(merged.arithmetic.len(), 1);
+    }
+
+    #[test]
+    fn shares_of_other_machines_are_merged_and_counted() {
+        let shares = [
+            share(1, 2, |_| {}),
+            share(2, 2, |manifest| manifest.arithmetic = vec![arithmetic("two")]),
+        ];
+        let (merged, _) = merged(&shares);
+        assert_eq!(merged.unwrap().arithmetic.len(), 2);
+    }
+
+    #[test]
+    fn a_missing_or_doubled_share_is_named() {
+        let shares = [share(1, 4, |_| {}), share(3, 4, |_| {})];
+        let reason = refusal(&shares);
+        assert!(reason.contains("missing: 2/4, 4/4"), "{reason}");
+        let shares = [1, 2, 2].map(|number| share(number, 2, |_| {}));
+        let reason = refusal(&shares);
+        assert!(reason.contains("share 2/2 is in"), "{reason}");
+        let name = shares[2].path().display().to_string();
+        assert!(reason.contains(&name), "{reason}");
+    }
+
+    #[test]
+    fn a_foreign_share_is_told_with_what_differs() {
+        let changes: [(&str, fn(&mut Manifest)); 7] = [
+            ("version", |m| m.sweep.version.push('x')),
+            ("family", |m| m.sweep.family.push('x')),
+            ("varied", |m| m.sweep.axes.clear()),
+            ("models", |m| m.sweep.models.clear()),
+            ("run", |m| m.sweep.run.push('x')),
+            ("2/3", |m| m.share.of = 3),
+            ("of 11 rows", |m| m.all_rows = 11),
+        ];
+        for (told, change) in changes {
+            let reason = refusal(&[share(1, 2, |_| {}), share(2, 2, change)]);
+            assert!(reason.contains(told), "{told}: {reason}");
+        }
+        let reason = refusal(&[share(1, 2, |_| {}), share(2, 2, |m| m.rows = 6..10)]);
+        assert!(reason.contains("row 5 is the next"), "{reason}");
+    }
+
+    #[test]
+    fn a_torn_share_is_told() {
+        let torn: [fn(&Path); 4] = [
+            |rows| std::fs::write(rows, "x,outcome\n5.5,scattered\n").unwrap(),
+            |rows| {
+                let text = std::fs::read_to_string(rows).unwrap();
+                std::fs::write(rows, text.replace("7.5", "7.6")).unwrap();
+            },
+            |rows| std::fs::write(rows, "").unwrap(),
+            |rows| std::fs::remove_file(rows).unwrap(),
+        ];
+        for (number, tear) in torn.into_iter().enumerate() {
+            let shares = [share(1, 2, |_| {}), share(2, 2, |_| {})];
+            tear(&shares[1].path().join(ROWS));
+            let reason = refusal(&shares);
+            let name = shares[1].path().display().to_string();
+            assert!(reason.contains(&name), "{number}: {reason}");
+        }
+        let shares = [share(1, 2, |_| {}), share(2, 2, |_| {})];
+        std::fs::remove_file(shares[1].path().join(Manifest::FILE)).unwrap();
+        assert!(refusal(&shares).contains("not finished"));
+    }
+
+    #[test]
+    fn a_share_is_not_merged_into_its_own_folder() {
+        let only = share(1, 1, |_| {});
+        let out = OutputFolder::open(only.path()).unwrap();
+        let error = merge(&[only.path().to_owned()], &out).unwrap_err();
+        assert!(error.to_string().contains("--out"), "{error}");
+        assert!(only.path().join(ROWS).exists());
+    }
 }

@@ -1,10 +1,12 @@
 //! Sweeps: many runs in a fixed order, in parallel, kept on disk as they come, shared among machines.
 
 mod encounters;
+mod family_sweep;
 mod journal;
 mod manifest;
 mod merge;
 mod pieces;
+mod points;
 mod share;
 
 use std::time::Duration;
@@ -13,9 +15,11 @@ use scene::RunOptions;
 
 pub(crate) use encounters::{encounter, offset_row, skipped};
 pub use encounters::{encounters, offsets, with_offsets};
+pub use family_sweep::{FamilySweep, SweepRow};
 pub use manifest::{Arithmetic, Axis, Manifest, ManifestModel, SweepIdentity};
 pub use merge::{Merged, merge};
 pub use pieces::{Computed, Done, Kept, Row, Sweep};
+pub use points::{Points, RunChoices};
 pub use share::Share;
 
 /// How a sweep runs.

@@ -8,6 +8,7 @@ mod loads;
 mod many;
 pub(crate) mod maps;
 pub(crate) mod scene;
+pub(crate) mod sweep;
 
 use std::time::Duration;
 
@@ -16,7 +17,7 @@ use compare::scene_file::SAMPLE_INTERVAL;
 use compare::sweep::SweepOptions;
 use compare::{Approach, Method, Model, ModelOptions};
 
-use crate::arguments::{Arguments, Command, ModelArguments, RunArguments};
+use crate::arguments::{Arguments, Command, LimitArguments, ModelArguments, RunArguments};
 use crate::error::CommandError;
 use crate::report;
 use crate::streams::say;
@@ -48,6 +49,8 @@ pub(crate) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), Command
         Command::Trust(map) => maps::trust(map, arguments),
         Command::Run(run) => scene::run(run, arguments),
         Command::Explain(explain) => scene::explain(explain, arguments),
+        Command::Sweep(given) => sweep::run(given, arguments),
+        Command::Merge(given) => sweep::merge(given, arguments),
         Command::Report { models, runs } => {
             let (methods, options) = model_options(models, &Method::DEFAULT, arguments)?;
             let sweep = sweep_options(runs)?;
@@ -92,34 +95,37 @@ pub(super) fn set_up(
         .collect()
 }
 
-pub(super) fn sweep_options(runs: &RunArguments) -> Result<SweepOptions, CommandError> {
-    let (tolerance, angles_at) = (runs.tol, runs.departure);
+/// The tolerance, if it is one.
+pub(super) fn checked_tolerance(tolerance: f64) -> Result<f64, CommandError> {
     if !(1e-14..=1e-2).contains(&tolerance) {
         let allowed = "give a number from 1e-14 to 1e-2";
-        return Err(CommandError::input(
-            "--tol",
-            format!("{tolerance:?}"),
-            allowed,
-        ));
+        let value = format!("{tolerance:?}");
+        return Err(CommandError::input("--tol", value, allowed));
     }
+    Ok(tolerance)
+}
+
+/// The distance at which angles are read, and the time limit, if they are such.
+pub(super) fn checked_limits(
+    limits: &LimitArguments,
+) -> Result<(f64, Option<Duration>), CommandError> {
+    let angles_at = limits.departure;
     if angles_at.is_nan() || angles_at <= 2.0 {
         let allowed = "give a distance of the centres greater than 2 (radii), or inf";
-        return Err(CommandError::input(
-            "--departure",
-            format!("{angles_at:?}"),
-            allowed,
-        ));
+        let value = format!("{angles_at:?}");
+        return Err(CommandError::input("--departure", value, allowed));
     }
-    let time_limit = match runs.time_limit {
-        None => None,
-        Some(seconds) => Some(Duration::try_from_secs_f64(seconds).map_err(|_| {
-            CommandError::input(
-                "--time-limit",
-                seconds,
-                "give a number of seconds, 0 or more",
-            )
-        })?),
-    };
+    let limit = limits.time_limit.map(|seconds| {
+        let allowed = "give a number of seconds, 0 or more";
+        Duration::try_from_secs_f64(seconds)
+            .map_err(|_| CommandError::input("--time-limit", seconds, allowed))
+    });
+    Ok((angles_at, limit.transpose()?))
+}
+
+pub(super) fn sweep_options(runs: &RunArguments) -> Result<SweepOptions, CommandError> {
+    let tolerance = checked_tolerance(runs.tol)?;
+    let (angles_at, time_limit) = checked_limits(&runs.limits)?;
     Ok(SweepOptions {
         run: RunOptions {
             tolerance,

@@ -36,7 +36,8 @@ pub(crate) struct ExplainArguments {
     file: PathBuf,
 }
 
-fn read(path: &Path) -> Result<SceneFile, CommandError> {
+/// Text of a scene file.
+pub(super) fn text(path: &Path) -> Result<String, CommandError> {
     let failed = |source| CompareError::Read {
         path: path.to_owned(),
         source,
@@ -50,7 +51,11 @@ fn read(path: &Path) -> Result<SceneFile, CommandError> {
         return Err(failed(std::io::Error::new(ErrorKind::FileTooLarge, reason)).into());
     }
     read.map_err(failed)?;
-    let parsed = SceneFile::parse(&text).map_err(|mistakes| CompareError::SceneFile {
+    Ok(text)
+}
+
+fn read(path: &Path) -> Result<SceneFile, CommandError> {
+    let parsed = SceneFile::parse(&text(path)?).map_err(|mistakes| CompareError::SceneFile {
         path: path.to_owned(),
         mistakes,
     });

@@ -1,0 +1,245 @@
+//! A family swept along some of its parameters, by several models.
+
+use std::time::{Duration, Instant};
+
+use scene::{Hydrodynamics as _, Run};
+use serde::{Deserialize, Serialize};
+
+use super::manifest::{SweepIdentity, measured};
+use super::merge::ROWS;
+use super::{
+    Arithmetic, Computed, Done, Manifest, ManifestModel, Points, Row, Share, Sweep,
+};
+use crate::encounter::{FAILED, SKIPPED};
+use crate::output::{OutputFolder, csv_lines};
+use crate::{CompareError, Family, Method, Model};
+
+/// Name of the file, without its ending.
+const NAME: &str = "sweep";
+
+/// Columns behind those of the parameters.
+const COLUMNS: [&str; 7] = [
+    "method",
+    "deflection1_deg",
+    "deflection2_deg",
+    "min_gap",
+    "tau",
+    "outcome",
+    "steps",
+];
+
+/// Points run by models: models outermost, then the axes in their order.
+pub struct FamilySweep<'a> {
+    /// The points.
+    pub points: &'a Points,
+    /// The models.
+    pub models: &'a [Model],
+    /// The share of the rows that is run.
+    pub share: Share,
+    /// Time after which no further piece is begun.
+    pub time_limit: Option<Duration>,
+    /// Where rows are kept.
+    pub out: &'a OutputFolder,
+}
+
+/// What a row says behind the values of the parameters. A run without a result has NaN.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Tail {
+    method: String,
+    deflection1_deg: f64,
+    deflection2_deg: f64,
+    min_gap: f64,
+    tau: f64,
+    outcome: String,
+    steps: u64,
+}
+
+impl Tail {
+    fn of(method: Method, run: &Run) -> Self {
+        let [one, two] = run.deflections().map(f64::to_degrees);
+        Self {
+            method: method.name().to_owned(),
+            deflection1_deg: one,
+            deflection2_deg: two,
+            min_gap: run.min_gap,
+            tau: run.contact_time,
+            outcome: run.outcome.to_string(),
+            steps: run.counters.steps,
+        }
+    }
+
+    fn without_run(method: Method, outcome: &str) -> Self {
+        Self {
+            method: method.name().to_owned(),
+            deflection1_deg: f64::NAN,
+            deflection2_deg: f64::NAN,
+            min_gap: f64::NAN,
+            tau: f64::NAN,
+            outcome: outcome.to_owned(),
+            steps: 0,
+        }
+    }
+}
+
+/// A row of `sweep.csv`, field by field: the parameters, then what became of the run.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+pub struct SweepRow(pub Vec<String>);
+
+impl SweepRow {
+    /// A field by its place from the end.
+    fn from_end(&self, place: usize) -> &str {
+        let at = self.0.len().checked_sub(place);
+        at.and_then(|at| self.0.get(at)).map_or("", String::as_str)
+    }
+}
+
+impl Row for SweepRow {
+    fn outcome(&self) -> &str {
+        self.from_end(2)
+    }
+}
+
+impl FamilySweep<'_> {
+    /// The names of the columns.
+    #[must_use]
+    pub fn header(&self) -> Vec<&str> {
+        let names = self.points.axes().iter().map(|axis| axis.name.as_str());
+        names.chain(COLUMNS).collect()
+    }
+
+    /// Runs the share, writes `sweep.csv`, hands each row to `see`, in order, and writes the manifest when all rows are
+    /// there.
+    ///
+    /// # Errors
+    /// Those of [`Sweep::run`]; [`CompareError::Input`] for a share without a row.
+    pub fn run(&self, see: &mut dyn FnMut(SweepRow)) -> Result<Done, CompareError> {
+        let began = Instant::now();
+        let all = self.models.len() * self.points.count();
+        let units = self.share.units(all);
+        if units.is_empty() {
+            let allowed = format!("there are {all} rows: give no more shares than that");
+            return Err(CompareError::input("--partition", self.share, allowed));
+        }
+        let identity = self.identity();
+        let size = Sweep::size_of(units.len());
+        let sweep = Sweep {
+            name: NAME,
+            units: units.clone(),
+            size,
+            what: "parts of the sweep",
+            key: self.key(&identity, size)?,
+            time_limit: self.time_limit,
+            out: self.out,
+        };
+        let families: Vec<Family> = (self.models.iter())
+            .map(|model| self.points.family().clone().under(model.as_in_files()))
+            .collect();
+        let header = csv_record(&self.header())?;
+        let kept = sweep.run(|unit| self.compute(&families, unit))?;
+        let done = kept.write(&header, &|unit| self.skipped(unit), see)?;
+        if done.is_complete() {
+            let path = self.out.path().join(ROWS);
+            let (bytes, checksum) =
+                measured(&path).map_err(|source| CompareError::Write { path, source })?;
+            let manifest = Manifest {
+                sweep: identity,
+                share: self.share,
+                rows: units,
+                all_rows: all,
+                failed: done.failed,
+                bytes,
+                checksum,
+                arithmetic: vec![Arithmetic::of(self.models, self.points.load_set()?)?],
+                threads: rayon::current_num_threads(),
+                seconds: began.elapsed().as_secs_f64(),
+            };
+            self.out.write(Manifest::FILE, &manifest.json()?)?;
+        }
+        Ok(done)
+    }
+
+    fn identity(&self) -> SweepIdentity {
+        let run = self.points.choices();
+        let tolerance = run.tolerance.map_or("the file's".to_owned(), |tolerance| {
+            format!("{tolerance:?}")
+        });
+        SweepIdentity {
+            version: format!("squirmers {}", env!("CARGO_PKG_VERSION")),
+            family: self.points.family().text().to_owned(),
+            axes: self.points.axes().to_vec(),
+            models: (self.models.iter())
+                .map(|model| ManifestModel {
+                    name: model.method().to_string(),
+                    fingerprint: model.fingerprint(),
+                })
+                .collect(),
+            run: format!("tolerance {tolerance}, angles at {:?}", run.angles_at),
+        }
+    }
+
+    /// All that the rows of the share depend on, in one line.
+    fn key(&self, identity: &SweepIdentity, size: usize) -> Result<String, CompareError> {
+        let mut checksum = crc32fast::Hasher::new();
+        checksum.update(serde_json::to_string(identity)?.as_bytes());
+        Ok(format!(
+            "{} {NAME} {:08x}, share {}, {size} rows at a time",
+            identity.version,
+            checksum.finalize(),
+            self.share
+        ))
+    }
+
+    fn compute(&self, families: &[Family], unit: usize) -> Result<Computed, CompareError> {
+        let points = self.points.count();
+        let (model, point) = (unit / points, unit % points);
+        let values = self.points.values(point);
+        let run = (families[model].scene(&values))
+            .map_err(|mistakes| mistakes.to_string())
+            .and_then(|point| {
+                let options = self.points.options(point.run);
+                let run = self.models[model].run(&point.scene, &options);
+                run.map_err(|error| error.to_string())
+            });
+        let method = self.models[model].method();
+        match run {
+            Ok(run) => lines(&values, &Tail::of(method, &run), None),
+            Err(reason) => {
+                let failure = self.failure(method, &values, &reason);
+                lines(&values, &Tail::without_run(method, FAILED), Some(failure))
+            }
+        }
+    }
+
+    fn skipped(&self, unit: usize) -> Result<Computed, CompareError> {
+        let points = self.points.count();
+        let values = self.points.values(unit % points);
+        let method = self.models[unit / points].method();
+        lines(&values, &Tail::without_run(method, SKIPPED), None)
+    }
+
+    fn failure(&self, method: Method, values: &[(&str, f64)], reason: &str) -> String {
+        let at: Vec<String> = (values.iter())
+            .map(|(name, value)| format!("{name} = {value:?}"))
+            .collect();
+        let reason = reason.lines().next().unwrap_or_default();
+        format!("{method}, {}: {reason}", at.join(", "))
+    }
+}
+
+fn lines(
+    values: &[(&str, f64)],
+    tail: &Tail,
+    failure: Option<String>,
+) -> Result<Computed, CompareError> {
+    let values: Vec<f64> = values.iter().map(|(_, value)| *value).collect();
+    Ok(Computed {
+        lines: csv_lines(&[(values, tail)])?,
+        failure,
+    })
+}
+
+/// Fields as one CSV line, without its end.
+fn csv_record(fields: &[&str]) -> Result<String, CompareError> {
+    let line = csv_lines(&[fields])?;
+    Ok(line.trim_end_matches('\n').to_owned())
+}

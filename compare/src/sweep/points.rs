@@ -1,0 +1,260 @@
+//! The points of a sweep: a family and the parameters that are varied.
+
+use scene::{Exchange, LoadSet, Plan, RunOptions};
+
+use super::Axis;
+use crate::{CompareError, Family, Numbers};
+
+/// Most points of a sweep.
+const MOST_POINTS: usize = 1 << 40;
+
+/// Points up to which the loads that a sweep reads are looked up at each of them.
+const LOOKED_UP: usize = 10_000;
+
+/// The points of a sweep: a family and the parameters that are varied, the last one fastest.
+#[derive(Clone, Debug)]
+pub struct Points {
+    family: Family,
+    axes: Vec<Axis>,
+    run: RunChoices,
+}
+
+/// What a sweep says of its runs in place of the family's file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RunChoices {
+    /// Tolerance of the steps; the file's if none.
+    pub tolerance: Option<f64>,
+    /// Distance of the centres at which angles are read, in radii.
+    pub angles_at: f64,
+}
+
+impl Points {
+    /// Varies parameters of a family; each list of values is one axis, the first one outermost.
+    ///
+    /// # Errors
+    /// [`CompareError::Input`] for a name that is no parameter, a parameter that is there twice, and more points than can
+    /// be counted.
+    pub fn new(
+        family: Family,
+        vary: &[(String, Numbers)],
+        run: RunChoices,
+    ) -> Result<Self, CompareError> {
+        let known: Vec<&str> = family.parameters().map(|(name, _)| name).collect();
+        let mut axes: Vec<Axis> = Vec::new();
+        for (name, Numbers(values)) in vary {
+            if !known.contains(&name.as_str()) {
+                let allowed = if known.is_empty() {
+                    "the family has no parameters".to_owned()
+                } else {
+                    format!("the family has the parameters {}", known.join(", "))
+                };
+                return Err(CompareError::input("--vary", name, allowed));
+            }
+            if axes.iter().any(|axis| axis.name == *name) {
+                let allowed = "it is varied twice: give one list";
+                return Err(CompareError::input("--vary", name, allowed));
+            }
+            axes.push(Axis {
+                name: name.clone(),
+                values: values.clone(),
+            });
+        }
+        let points = (axes.iter())
+            .try_fold(1_usize, |points, axis| points.checked_mul(axis.values.len()));
+        if points.is_none_or(|points| points > MOST_POINTS) {
+            let allowed = format!("a sweep has at most {MOST_POINTS} points");
+            return Err(CompareError::input("--vary", "so many values", allowed));
+        }
+        Ok(Self { family, axes, run })
+    }
+
+    /// How many points there are.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.axes.iter().map(|axis| axis.values.len()).product()
+    }
+
+    /// What is varied, outermost first.
+    #[must_use]
+    pub fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+
+    /// The family.
+    #[must_use]
+    pub fn family(&self) -> &Family {
+        &self.family
+    }
+
+    /// What is said of the runs.
+    #[must_use]
+    pub fn choices(&self) -> RunChoices {
+        self.run
+    }
+
+    /// The values at the point with this number, axis by axis.
+    pub(super) fn values(&self, point: usize) -> Vec<(&str, f64)> {
+        let mut rest = point;
+        let mut values: Vec<_> = (self.axes.iter().rev())
+            .map(|axis| {
+                let place = rest % axis.values.len();
+                rest /= axis.values.len();
+                (axis.name.as_str(), axis.values[place])
+            })
+            .collect();
+        values.reverse();
+        values
+    }
+
+    /// The numbers of points that stand for all of them: each value of each axis, with the first and with the last values
+    /// of the others.
+    fn typical(&self) -> Vec<usize> {
+        let last = self.count() - 1;
+        let mut stride = self.count();
+        let mut numbers = vec![0, last];
+        for axis in &self.axes {
+            stride /= axis.values.len();
+            for place in 0..axis.values.len() {
+                let end = axis.values.len() - 1;
+                numbers.extend([place * stride, last - (end - place) * stride]);
+            }
+        }
+        numbers.sort_unstable();
+        numbers.dedup();
+        numbers
+    }
+
+    /// The loads that the motion reads, of all points or, of very many, of those that stand for them and of any that have
+    /// no symmetry.
+    ///
+    /// # Errors
+    /// [`CompareError::FamilyPoint`] for a point that is no scene; [`CompareError::Scene`].
+    pub fn load_set(&self) -> Result<LoadSet, CompareError> {
+        let count = self.count();
+        let numbers = if count <= LOOKED_UP {
+            (0..count).collect()
+        } else {
+            self.typical()
+        };
+        let mut read: Option<LoadSet> = None;
+        for number in numbers {
+            let values = self.values(number);
+            let point = (self.family.scene(&values)).map_err(CompareError::FamilyPoint)?;
+            let set = Plan::new(&point.scene)?.load_set();
+            read = Some(read.map_or(set, |read| read.union(set)));
+        }
+        let read = read.unwrap_or(LoadSet::axial(0));
+        Ok(if count <= LOOKED_UP {
+            read
+        } else {
+            LoadSet {
+                transverse: true,
+                exchange: Exchange::None,
+                ..read
+            }
+        })
+    }
+
+    /// How a point is run whose file says `file`.
+    pub(super) fn options(&self, file: RunOptions) -> RunOptions {
+        RunOptions {
+            sample_interval: None,
+            tolerance: self.run.tolerance.unwrap_or(file.tolerance),
+            angles_at: self.run.angles_at,
+            ..file
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FAMILY: &str = "
+        [parameters]
+        x = 3.0
+        y = 0.0
+        beta = 1.0
+        [[squirmer]]
+        position = [0, 0]
+        orientation = 90
+        beta = \"beta\"
+        [[squirmer]]
+        position = [\"x\", \"y\"]
+        orientation = 90
+        beta = \"beta\"";
+
+    const AS_IN_FILE: RunChoices = RunChoices {
+        tolerance: None,
+        angles_at: f64::INFINITY,
+    };
+
+    fn points(vary: &[(&str, &[f64])]) -> Result<Points, CompareError> {
+        let vary: Vec<_> = (vary.iter())
+            .map(|(name, values)| ((*name).to_owned(), Numbers(values.to_vec())))
+            .collect();
+        Points::new(Family::parse(FAMILY).unwrap(), &vary, AS_IN_FILE)
+    }
+
+    #[test]
+    fn the_last_axis_runs_fastest() {
+        let points = points(&[("x", &[3.0, 4.0]), ("y", &[0.0, 1.0, 2.0])]).unwrap();
+        assert_eq!(points.count(), 6);
+        let found: Vec<_> = (0..6).map(|point| points.values(point)).collect();
+        assert_eq!(found[1], [("x", 3.0), ("y", 1.0)]);
+        assert_eq!(found[3], [("x", 4.0), ("y", 0.0)]);
+        assert_eq!(found[5], [("x", 4.0), ("y", 2.0)]);
+    }
+
+    #[test]
+    fn typical_points_have_every_value_of_every_axis_at_both_ends_of_the_others() {
+        let points = points(&[
+            ("beta", &[-1.0, 0.0, 1.0]),
+            ("x", &[3.0, 4.0]),
+            ("y", &[0.0, 1.0, 2.0, 3.0]),
+        ]);
+        let points = points.unwrap();
+        let typical: Vec<Vec<f64>> = (points.typical().into_iter())
+            .map(|number| points.values(number).iter().map(|(_, value)| *value).collect())
+            .collect();
+        for expected in [
+            [0.0, 3.0, 0.0],
+            [0.0, 4.0, 3.0],
+            [-1.0, 3.0, 2.0],
+            [1.0, 4.0, 1.0],
+            [1.0, 3.0, 3.0],
+        ] {
+            assert!(typical.contains(&expected.to_vec()), "{expected:?} in {typical:?}");
+        }
+    }
+
+    #[test]
+    fn a_sweep_reads_the_loads_of_all_its_points() {
+        // Side by side and alike the pair is its own mirror image; above one another it is not.
+        let alone = points(&[]).unwrap().load_set().unwrap();
+        let both = points(&[("y", &[0.0, 1.0])]).unwrap().load_set().unwrap();
+        assert_ne!(alone, both);
+        assert!(both.holds(alone));
+        let many: Vec<f64> = (0..200).map(|i| f64::from(i) / 200.0).collect();
+        let far: Vec<f64> = (0..200).map(|i| 3.0 + f64::from(i) / 200.0).collect();
+        let many = points(&[("y", &many), ("x", &far)]).unwrap();
+        assert!(many.count() > LOOKED_UP);
+        assert!(many.load_set().unwrap().holds(both));
+    }
+
+    #[test]
+    fn names_that_are_no_parameters_or_are_there_twice_are_refused() {
+        let error = points(&[("z", &[1.0])]).unwrap_err().to_string();
+        assert!(error.contains("'z'") && error.contains("x, y, beta"), "{error}");
+        let error = points(&[("x", &[3.0]), ("x", &[4.0])]).unwrap_err();
+        assert!(error.to_string().contains("twice"), "{error}");
+    }
+
+    #[test]
+    fn a_point_that_is_no_scene_is_named_before_anything_runs() {
+        let points = points(&[("x", &[1.5, 3.0])]).unwrap();
+        let error = points.load_set().unwrap_err();
+        assert!(matches!(error, CompareError::FamilyPoint(_)));
+        assert!(error.to_string().contains("x = 1.5"), "{error}");
+    }
+}

@@ -1,0 +1,151 @@
+//! `squirmers sweep` and `squirmers merge`: families along any of their parameters, on one machine or many.
+
+use std::path::PathBuf;
+
+use clap::{Arg, Args};
+use compare::numbers::{Numbers, parse_number, parse_numbers, rounded, written};
+use compare::sweep::{self, FamilySweep, Points, RunChoices, Share, SweepRow};
+use compare::{CompareError, Family, ModelOptions};
+
+use super::many::{keep_first, print_rest};
+use super::maps::METHODS;
+use super::{checked_limits, checked_tolerance, model_options, set_up};
+use crate::arguments::{Arguments, LimitArguments, ModelArguments};
+use crate::error::CommandError;
+use crate::streams::{complain, say};
+use crate::terminal::print_rows;
+
+#[derive(Debug, Args)]
+pub(crate) struct SweepArguments {
+    /// Scene file with parameters (docs/SCENES.md), or one of the paper's: opposed, right-angles, incoming-angles
+    #[arg(value_name = "FAMILY")]
+    family: String,
+    /// A parameter and its values; again for each further one, the last of which runs fastest
+    #[arg(long, value_name = "NAME=LIST", value_parser = parse_vary, allow_hyphen_values = true)]
+    vary: Vec<(String, Numbers)>,
+    /// Run share m of n only: shares are merged by 'squirmers merge'
+    #[arg(long, value_name = "m/n", value_parser = parse_share)]
+    partition: Option<Share>,
+    /// Tolerance of a trajectory's steps [default: the family's]
+    #[arg(long, value_name = "TOL", value_parser = parse_number, allow_hyphen_values = true)]
+    tol: Option<f64>,
+    #[command(flatten)]
+    models: ModelArguments,
+    #[command(flatten)]
+    limits: LimitArguments,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct MergeArguments {
+    /// Folders of the shares, in any order
+    #[arg(value_name = "DIR", required = true)]
+    shares: Vec<PathBuf>,
+}
+
+/// The argument `--method` of a sweep.
+pub(crate) fn methods(arg: Arg) -> Arg {
+    arg.help(
+        "Methods: lt (as published), lt-corrected, exact, bem [default: the family's, or else lt,exact]",
+    )
+}
+
+/// The argument `--time-limit` of a sweep.
+pub(crate) fn time_limit(arg: Arg) -> Arg {
+    arg.help(
+        "Begin no further part of the sweep after this time; the same command goes on later (exit status 75)",
+    )
+}
+
+fn parse_vary(text: &str) -> Result<(String, Numbers), String> {
+    let (name, list) = (text.split_once('='))
+        .ok_or_else(|| format!("'{text}' names no values: give NAME=LIST, such as dx=0:3:0.5"))?;
+    Ok((name.trim().to_owned(), parse_numbers(list)?))
+}
+
+fn parse_share(text: &str) -> Result<Share, String> {
+    text.parse()
+}
+
+/// The family: one of the paper's by its name, or else from its file.
+fn family(named: &str) -> Result<Family, CommandError> {
+    let paper = (Family::PAPER.iter()).find(|(name, _)| *name == named);
+    let (path, text) = match paper {
+        Some((_, text)) => (PathBuf::from(named), (*text).to_owned()),
+        None => {
+            let path = PathBuf::from(named);
+            let text = super::scene::text(&path)?;
+            (path, text)
+        }
+    };
+    let parsed = Family::parse(&text);
+    Ok(parsed.map_err(|mistakes| CompareError::SceneFile { path, mistakes })?)
+}
+
+pub(super) fn run(arguments: &SweepArguments, general: &Arguments) -> Result<(), CommandError> {
+    let (mut methods, mut options) = model_options(&arguments.models, &METHODS, general)?;
+    let (angles_at, time_limit) = checked_limits(&arguments.limits)?;
+    let tolerance = arguments.tol.map(checked_tolerance).transpose()?;
+    let family = family(&arguments.family)?;
+    if let (None, Some(own)) = (&arguments.models.method, family.hydrodynamics()) {
+        methods = vec![own.method];
+        options = ModelOptions {
+            mesh: own.mesh,
+            direct: own.direct || options.direct,
+            ..options
+        };
+    }
+    let choices = RunChoices {
+        tolerance,
+        angles_at,
+    };
+    let points = Points::new(family, &arguments.vary, choices)?;
+    let out = general.output()?;
+    let options = ModelOptions {
+        tabulated: points.load_set()?,
+        ..options
+    };
+    let models = set_up(&methods, &options)?;
+    let sweep = FamilySweep {
+        points: &points,
+        models: &models,
+        share: arguments.partition.unwrap_or(Share::ALL),
+        time_limit,
+        out: &out,
+    };
+    let mut first = Vec::new();
+    let done = sweep.run(&mut |row| keep_first(&mut first, row))?;
+    print_rows(&sweep.header(), first.iter().map(|row| printed(row, points.axes().len())));
+    print_rest(done.rows, "sweep");
+    out.account().failed(done.failed);
+    out.account().skipped(done.skipped);
+    Ok(out.account().verdict()?)
+}
+
+/// A row as a person reads it, behind so many parameters.
+fn printed(row: &SweepRow, parameters: usize) -> Vec<String> {
+    let field = |(place, text): (usize, &String)| match text.parse::<f64>() {
+        Ok(value) if place < parameters => written(value),
+        Ok(value) if text.contains(['.', 'N']) => rounded(value, 4),
+        _ => text.clone(),
+    };
+    row.0.iter().enumerate().map(field).collect()
+}
+
+pub(super) fn merge(arguments: &MergeArguments, general: &Arguments) -> Result<(), CommandError> {
+    let out = general.output()?;
+    let merged = sweep::merge(&arguments.shares, &out)?;
+    if merged.arithmetic.len() > 1 {
+        complain!(
+            "the shares come from {} kinds of arithmetic: last digits may differ from those of one machine \
+             (sweep.json names them)",
+            merged.arithmetic.len()
+        );
+    }
+    say!(
+        "{} rows of {} shares in {}",
+        merged.rows,
+        merged.shares,
+        general.out.join("sweep.csv").display()
+    );
+    Ok(())
+}
