@@ -47,10 +47,10 @@ fn by_hand(case: &EffectCase, times: usize) {
     });
     let start = plan.start();
     let [d1, d2] = [
-        start.angles[0] - start.line_angle,
-        start.angles[1] - start.line_angle - PI,
+        start.angles_rad[0] - start.line_angle_rad,
+        start.angles_rad[1] - start.line_angle_rad - PI,
     ];
-    let planar = [0.0, 0.0, start.line_angle, start.gap.ln(), d1, d2];
+    let planar = [0.0, 0.0, start.line_angle_rad, start.gap.ln(), d1, d2];
     let mut spatial = [0.0; 13];
     for (at, v) in [
         (3, start.line),

@@ -108,7 +108,7 @@ impl EffectCase {
         };
         let pose = |side: f64, angle: f64| Pose {
             position: [1.05 * side, 0.0, lift * side].into(),
-            orientation: Orientation::Angle(angle),
+            orientation: Orientation::Radians(angle),
         };
         let start = [pose(-1.0, angles[0]), pose(1.0, angles[1])];
         let repulsion = self.repulsion.then_some(Repulsion::PAPER);

@@ -11,6 +11,7 @@ const STOPPED: u8 = 75;
 
 /// Everything that a command can refuse or fail at, each one line.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum CompareError {
     /// A value on the command line that is not allowed.
     #[error("{what} '{value}' is not allowed: {allowed}")]
@@ -147,7 +148,12 @@ impl CompareError {
             | Self::Bem(_) => 2,
             Self::Stopped { .. } => STOPPED,
             Self::Interrupted { .. } => interrupt::STATUS,
-            Self::Scene(SceneError::Stepper { .. } | SceneError::Model { .. }) => 1,
+            Self::Scene(
+                SceneError::Stepper { .. }
+                | SceneError::TooManyPhases { .. }
+                | SceneError::TooManyAdvances { .. }
+                | SceneError::Model { .. },
+            ) => 1,
             Self::Scene(_) => 2,
             Self::Rows(_)
             | Self::Json(_)
