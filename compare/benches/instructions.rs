@@ -1,7 +1,7 @@
 //! Instructions of one right-hand side, counted by valgrind's callgrind: what each effect costs, and that
 //! an absent one costs nothing.
 //!
-//! `cargo bench -p compare --bench instructions` prints a table as CSV and fails if a right-hand side takes
+//! `cargo bench -p squirmers-compare --bench instructions` prints a table as CSV and fails if a right-hand side takes
 //! more than 1 % more instructions than the same arithmetic written without the absent effects. It needs
 //! `valgrind`; counts do not depend on what else the machine does, but on the compiler.
 

@@ -1,4 +1,4 @@
-//! Fig. 6 of the paper by lubrication theory, timed: `cargo run --release -p lt --example collision`.
+//! Fig. 6 of the paper by lubrication theory, timed: `cargo run --release -p squirmers-lt --example collision`.
 //!
 //! Two pullers (`beta = 5`) approach on opposed paths an offset `dx` apart. The least of many repeats is printed, from
 //! the start of the scene to its verdict, free flights included; `bench/scipy` divides by it.
