@@ -1,6 +1,6 @@
 //! Compares constant, linear and quadratic densities at equal numbers of unknowns.
 //!
-//! `cargo run --release -p bem --example elements`
+//! `cargo run --release -p squirmers-bem --example elements`
 //!
 //! Errors against `exact` as in the example `referee`.
 

@@ -1,6 +1,6 @@
 //! Times the factorisation of the symmetry classes, of the unsplit system, and matrix products.
 //!
-//! `cargo run --release -p bem --example factorisation [gap] [level]`
+//! `cargo run --release -p squirmers-bem --example factorisation [gap] [level]`
 //!
 //! Factorisation by blocks with partial pivoting is `2/3 n³` operations, a product `2 n³`.
 

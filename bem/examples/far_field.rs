@@ -1,6 +1,6 @@
 //! Prints errors against `exact` far apart, as solved and shifted to the lone sphere's closed form, by gap and level.
 //!
-//! `cargo run --release -p bem --example far_field [highest level]`
+//! `cargo run --release -p squirmers-bem --example far_field [highest level]`
 //!
 //! Each error is the largest over the 22 loads of modes 1 and 2, relative to the larger of the load and 1, with the load
 //! that has it; that of the estimate is the largest of error over estimate, load by load.

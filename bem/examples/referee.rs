@@ -1,6 +1,6 @@
 //! Prints errors against `exact` by gap and level, with the observed order in the size of panels.
 //!
-//! `cargo run --release -p bem --example referee [highest level] [gap,gap,...]`
+//! `cargo run --release -p squirmers-bem --example referee [highest level] [gap,gap,...]`
 //!
 //! The error is the largest over the 22 loads of modes 1 and 2, relative to the larger of the load and
 //! 1, thrusts XF1_1 and YF1_1 to the larger of the load and 4.

@@ -1,7 +1,8 @@
 //! What can fail in the boundary element method.
 
-/// Everything that this crate can refuse or fail at, with the offending numbers.
+/// Everything that this crate can refuse or fail at, with the offending numbers. Later versions may add variants.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum BemError {
     /// A refinement level that does not exist.
     #[error("mesh level {level} is not allowed: levels are {lowest} to {highest}")]

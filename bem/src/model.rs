@@ -190,10 +190,10 @@ impl Bem {
         gap: Gap,
         set: LoadSet,
     ) -> Result<PairSolution, SceneError> {
-        self.check(gap).map_err(|error| failure(&error))?;
+        self.check(gap).map_err(failure)?;
         set.check()?;
-        let (solution, factorised) = (refinement.solve(piece_of(gap.eps()), gap.eps(), set))
-            .map_err(|error| failure(&error))?;
+        let (solution, factorised) =
+            (refinement.solve(piece_of(gap.eps()), gap.eps(), set)).map_err(failure)?;
         self.solves.fetch_add(factorised, Ordering::Relaxed);
         Ok(solution)
     }
@@ -284,11 +284,8 @@ pub(crate) fn mesh_family(level: usize, eps: f64) -> Result<MeshFamily, BemError
     family(level as i32, piece)
 }
 
-fn failure(error: &BemError) -> SceneError {
-    SceneError::Model {
-        model: "bem",
-        reason: error.to_string(),
-    }
+fn failure(error: BemError) -> SceneError {
+    SceneError::from_model("bem", error)
 }
 
 /// Smallest gap that a level resolves.

@@ -7,8 +7,8 @@ use bem::Bem;
 use bem::model::difference;
 use exact::Exact;
 use scene::{
-    Exchange, Gap, Hydrodynamics, LoadSet, Orientation, Outcome, PairLoads, Plan, Pose, Repulsion,
-    Run, RunOptions, Scene, Squirmer, SwirlLoads, TableOptions, Tabulated, run_plan,
+    Exchange, Gap, Hydrodynamics, LoadSet, Outcome, PairLoads, Plan, Pose, Repulsion, Run,
+    RunOptions, Scene, Squirmer, SwirlLoads, TableOptions, Tabulated, run_plan,
 };
 
 fn gap(eps: f64) -> Gap {
@@ -121,13 +121,9 @@ fn table<M: Hydrodynamics>(model: M, tolerance: f64) -> Tabulated<M> {
 /// Two squirmers with the paper's repulsion whose paths cross at right angles.
 fn crossing(beta: f64, dx: f64) -> Scene {
     let squirmer = Squirmer::with_beta(1.0, beta).unwrap();
-    let pose = |position: [f64; 3], heading_deg: f64| Pose {
-        position: position.into(),
-        orientation: Orientation::Angle(heading_deg.to_radians()),
-    };
     let start = [
-        pose([0.0, 10.0, 0.0], 0.0),
-        pose([10.0 - dx, 0.0, 0.0], 90.0),
+        Pose::planar(0.0, 10.0, 0.0),
+        Pose::planar(10.0 - dx, 0.0, 90.0),
     ];
     Scene::new([squirmer; 2], start, Some(Repulsion::PAPER), None).unwrap()
 }
@@ -147,8 +143,8 @@ fn val_pairs_on_a_mesh_stop_turning_as_they_part() {
         let scene = crossing(beta, dx);
         let [found, truth] = [ran(&by_mesh, &scene), ran(&exact, &scene)];
         assert_eq!(found.outcome, Outcome::Scattered);
-        let off = [0, 1].map(|k| found.deflections()[k] - truth.deflections()[k]);
-        let (off, left) = (off.map(f64::to_degrees), found.truncation.to_degrees());
+        let off = [0, 1].map(|k| found.deflections_rad()[k] - truth.deflections_rad()[k]);
+        let (off, left) = (off.map(f64::to_degrees), found.truncation_rad.to_degrees());
         println!("beta {beta}, dx {dx}: off by {off:?} degrees, {left:e} to come");
         // A mesh that turns lone squirmers leaves 0.0007 to 0.011.
         assert!(left < 1e-7, "{left:e}");

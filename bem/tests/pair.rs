@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic, its helpers too")]
 
+use std::error::Error;
+
 use bem::model::difference;
 use bem::{Bem, BemError};
 use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, SceneError};
@@ -332,11 +334,10 @@ fn what_the_model_does_not_hold_is_refused() {
             ..
         }
     ));
-    let refused = model.loads(gap(1e-4), LoadSet::all(1));
-    assert!(matches!(
-        refused,
-        Err(SceneError::Model { model: "bem", .. })
-    ));
+    let refused = model.loads(gap(1e-4), LoadSet::all(1)).unwrap_err();
+    assert!(matches!(refused, SceneError::Model { model: "bem", .. }));
+    let cause = refused.source().and_then(<dyn Error>::downcast_ref);
+    assert_eq!(cause, model.check(gap(1e-4)).err().as_ref());
     let refused = model.loads(gap(1.0), LoadSet::all(9));
     assert_eq!(
         refused,

@@ -14,8 +14,8 @@ use std::sync::OnceLock;
 use bem::Bem;
 use exact::Exact;
 use scene::{
-    Hydrodynamics, LoadSet, Orientation, Outcome, Plan, Pose, Repulsion, Run, RunOptions, Scene,
-    SceneError, Squirmer, TableOptions, Tabulated, rates, run_plan,
+    Hydrodynamics, LoadSet, Outcome, Plan, Pose, Repulsion, Run, RunOptions, Scene, SceneError,
+    Squirmer, TableOptions, Tabulated, rates, run_plan,
 };
 
 /// Tables are as good as their models here: starts next to each other are compared under the same one.
@@ -52,11 +52,8 @@ impl Pair {
             Some(beta) => Squirmer::with_beta(1.0, beta).unwrap(),
             None => Squirmer::new(&[]).unwrap(),
         };
-        let pose = |x: f64, k: usize| Pose {
-            position: [x, 0.0, 0.0].into(),
-            orientation: Orientation::Angle(self.headings_deg[k].to_radians()),
-        };
-        let start = [pose(0.0, 0), pose(r, 1)];
+        let [one, two] = self.headings_deg;
+        let start = [Pose::planar(0.0, 0.0, one), Pose::planar(r, 0.0, two)];
         Scene::new([squirmer(0), squirmer(1)], start, self.repulsion, None).unwrap()
     }
 
@@ -99,7 +96,7 @@ fn pairs(count: usize) -> Vec<Pair> {
 
 /// How far two runs are from each other that should be the same.
 fn apart(a: &Run, b: &Run) -> f64 {
-    let deflections = a.deflections().into_iter().zip(b.deflections());
+    let deflections = a.deflections_rad().into_iter().zip(b.deflections_rad());
     deflections.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 

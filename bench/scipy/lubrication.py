@@ -104,7 +104,7 @@ def best_of(dx):
 
 def compiled():
     """Least seconds of the same collisions by lt/examples/collision.rs, by dx."""
-    command = ["cargo", "run", "--quiet", "--release", "-p", "lt", "--example", "collision"]
+    command = ["cargo", "run", "--quiet", "--release", "-p", "squirmers-lt", "--example", "collision"]
     root = pathlib.Path(__file__).resolve().parents[2]
     printed = subprocess.run(command, cwd=root, check=True, capture_output=True, text=True).stdout
     return {float(dx): 1e-6 * float(us) for dx, us in re.findall(r"dx (\S+): (\S+) us", printed)}

@@ -1,7 +1,7 @@
 //! Instructions of one right-hand side, counted by valgrind's callgrind: what each effect costs, and that
 //! an absent one costs nothing.
 //!
-//! `cargo bench -p compare --bench instructions` prints a table as CSV and fails if a right-hand side takes
+//! `cargo bench -p squirmers-compare --bench instructions` prints a table as CSV and fails if a right-hand side takes
 //! more than 1 % more instructions than the same arithmetic written without the absent effects. It needs
 //! `valgrind`; counts do not depend on what else the machine does, but on the compiler.
 
@@ -47,10 +47,10 @@ fn by_hand(case: &EffectCase, times: usize) {
     });
     let start = plan.start();
     let [d1, d2] = [
-        start.angles[0] - start.line_angle,
-        start.angles[1] - start.line_angle - PI,
+        start.angles_rad[0] - start.line_angle_rad,
+        start.angles_rad[1] - start.line_angle_rad - PI,
     ];
-    let planar = [0.0, 0.0, start.line_angle, start.gap.ln(), d1, d2];
+    let planar = [0.0, 0.0, start.line_angle_rad, start.gap.ln(), d1, d2];
     let mut spatial = [0.0; 13];
     for (at, v) in [
         (3, start.line),

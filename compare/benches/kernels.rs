@@ -1,5 +1,5 @@
 //! The kernels that a trajectory and a solve spend their time in:
-//! `cargo bench -p compare --bench kernels`.
+//! `cargo bench -p squirmers-compare --bench kernels`.
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the bench")]
 

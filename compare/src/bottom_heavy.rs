@@ -104,7 +104,7 @@ impl PanelRun {
     pub fn trajectory(&self) -> impl Iterator<Item = TrajectoryRow> {
         self.shown().map(|Sample { t, configuration }| {
             let [one, two] = configuration.positions();
-            let [angle1_deg, angle2_deg] = configuration.angles.map(f64::to_degrees);
+            let [angle1_deg, angle2_deg] = configuration.angles_rad.map(f64::to_degrees);
             TrajectoryRow {
                 method: self.method.name(),
                 panel: self.case.panel.clone(),

@@ -45,7 +45,7 @@ impl Case {
         let squirmer = Squirmer::with_beta(1.0, self.beta)?;
         let pose = |x: f64, y: f64, z: f64, angle: f64| Pose {
             position: [x, y, z].into(),
-            orientation: Orientation::Angle(angle),
+            orientation: Orientation::Radians(angle),
         };
         let (half, up) = (0.5 * self.dx, 0.5 * self.dz);
         let start = match self.approach {

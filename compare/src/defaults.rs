@@ -71,7 +71,7 @@ impl Defaults {
     /// # Errors
     /// [`CompareError::Cases`] if the embedded file does not parse.
     pub fn paper() -> Result<Self, CompareError> {
-        Ok(toml::from_str(include_str!("../../fixtures/cases.toml"))?)
+        Ok(toml::from_str(fixtures::CASES)?)
     }
 
     /// The lists of `approach`.

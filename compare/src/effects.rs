@@ -108,7 +108,7 @@ impl EffectCase {
         };
         let pose = |side: f64, angle: f64| Pose {
             position: [1.05 * side, 0.0, lift * side].into(),
-            orientation: Orientation::Angle(angle),
+            orientation: Orientation::Radians(angle),
         };
         let start = [pose(-1.0, angles[0]), pose(1.0, angles[1])];
         let repulsion = self.repulsion.then_some(Repulsion::PAPER);
@@ -126,7 +126,7 @@ impl EffectCase {
     }
 }
 
-/// Instructions of a right-hand side as `cargo bench -p compare --bench instructions` counted them; a line
+/// Instructions of a right-hand side as `cargo bench -p squirmers-compare --bench instructions` counted them; a line
 /// of `fixtures/instructions.csv`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct InstructionRow {
@@ -154,7 +154,7 @@ pub struct InstructionRow {
 /// # Errors
 /// [`CompareError::Rows`] if the embedded file is no such table.
 pub fn counted_instructions() -> Result<Vec<InstructionRow>, CompareError> {
-    let file = include_str!("../../fixtures/instructions.csv");
+    let file = fixtures::INSTRUCTIONS;
     let mut reader = (csv::ReaderBuilder::new().comment(Some(b'#'))).from_reader(file.as_bytes());
     let rows = reader.deserialize().collect::<Result<_, _>>()?;
     Ok(rows)

@@ -103,15 +103,15 @@ impl Encounter {
             beta: case.beta,
             dx: case.dx,
             dz: case.dz,
-            deflection1_deg: number(|run| run.deflections()[0].to_degrees()),
-            deflection2_deg: number(|run| run.deflections()[1].to_degrees()),
+            deflection1_deg: number(|run| run.deflections_rad()[0].to_degrees()),
+            deflection2_deg: number(|run| run.deflections_rad()[1].to_degrees()),
             min_gap: number(|run| run.min_gap),
             tau: number(|run| run.contact_time),
             outcome: self.outcome(),
             steps: run.map_or(0, |run| run.counters.steps),
             loads: run.map_or(0, |run| run.counters.loads),
             seconds: self.seconds,
-            truncation_deg: number(|run| run.truncation.to_degrees()),
+            truncation_deg: number(|run| run.truncation_rad.to_degrees()),
         }
     }
 

@@ -4,8 +4,22 @@ use std::path::PathBuf;
 
 use scene::SceneError;
 
+/// Kinds of failures: who can mend them, and how.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FailureKind {
+    /// Bad input, or a place that can't be written to.
+    Input,
+    /// The computation failed, or broke a bound.
+    Computation,
+    /// The time limit stopped it; the same again goes on.
+    Stopped,
+    /// An interrupt stopped it; the same again goes on.
+    Interrupted,
+}
+
 /// Everything that a command can refuse or fail at, each one line.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum CompareError {
     /// A value on the command line that is not allowed.
     #[error("{what} '{value}' is not allowed: {allowed}")]
@@ -130,6 +144,36 @@ impl CompareError {
             what,
             value: value.to_string(),
             allowed: allowed.into(),
+        }
+    }
+
+    /// What kind of failure it is.
+    #[must_use]
+    pub fn kind(&self) -> FailureKind {
+        match self {
+            Self::Input { .. }
+            | Self::Read { .. }
+            | Self::SceneFile { .. }
+            | Self::FamilyPoint(_)
+            | Self::Write { .. }
+            | Self::Busy { .. }
+            | Self::OtherSweep { .. }
+            | Self::Share { .. }
+            | Self::Bem(_) => FailureKind::Input,
+            Self::Stopped { .. } => FailureKind::Stopped,
+            Self::Interrupted { .. } => FailureKind::Interrupted,
+            Self::Scene(
+                SceneError::Stepper { .. }
+                | SceneError::TooManyPhases { .. }
+                | SceneError::TooManyAdvances { .. }
+                | SceneError::Model { .. },
+            ) => FailureKind::Computation,
+            Self::Scene(_) => FailureKind::Input,
+            Self::Rows(_)
+            | Self::Json(_)
+            | Self::Cases(_)
+            | Self::RunsFailed { .. }
+            | Self::BoundsBroken { .. } => FailureKind::Computation,
         }
     }
 }

@@ -24,7 +24,7 @@ pub mod watch;
 pub use case::{Approach, Case};
 pub use defaults::{Defaults, EncounterDefaults, OffsetDefaults};
 pub use encounter::{Encounter, EncounterRow, NoRun, OffsetRow};
-pub use error::CompareError;
+pub use error::{CompareError, FailureKind};
 pub use method::Method;
 pub use model::{BEM_TABLE_TOLERANCE, EXACT_TABLE_TOLERANCE, Model, ModelOptions};
 pub use numbers::{Numbers, parse_numbers};

@@ -59,7 +59,7 @@ impl From<&Sample> for SampleRow {
         let Configuration {
             gap,
             orientations: [p1, p2],
-            angles: [angle1, angle2],
+            angles_rad: [angle1, angle2],
             ..
         } = sample.configuration;
         let [c1, c2] = sample.configuration.positions();
@@ -125,7 +125,7 @@ impl Summary {
     /// The summary of a run that took `seconds`.
     #[must_use]
     pub fn new(run: &Run, plan: &Plan, method: Method, seconds: f64) -> Self {
-        let [deflection1, deflection2] = run.deflections().map(f64::to_degrees);
+        let [deflection1, deflection2] = run.deflections_rad().map(f64::to_degrees);
         Self {
             outcome: run.outcome.to_string(),
             end_time: run.end_time,
@@ -133,7 +133,7 @@ impl Summary {
             contact_time: run.contact_time,
             deflection1_deg: deflection1,
             deflection2_deg: deflection2,
-            truncation_deg: run.truncation.to_degrees(),
+            truncation_deg: run.truncation_rad.to_degrees(),
             settled: run.settled,
             method: method.name(),
             state: plan.state().name(),

@@ -1,5 +1,5 @@
 //! Prints the loads at the gaps given, with error estimate, residual and time:
-//! `cargo run --release -p exact --example loads -- 2 0.1 1e-3`.
+//! `cargo run --release -p squirmers-exact --example loads -- 2 0.1 1e-3`.
 
 use std::time::Instant;
 

@@ -2,8 +2,9 @@
 
 use scene::{LoadSet, MAX_MODES, SceneError};
 
-/// Everything that this crate can refuse or fail at, with the offending numbers.
+/// Everything that this crate can refuse or fail at, with the offending numbers. Later versions may add variants.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ExactError {
     /// A factor on the number of terms outside the allowed interval.
     #[error("factor {factor} on the number of terms is not allowed: it must lie in [0.25, 16]")]
@@ -55,10 +56,7 @@ impl From<ExactError> for SceneError {
     fn from(error: ExactError) -> Self {
         match error {
             ExactError::TooManyModes { modes, allowed } => Self::TooManyModes { modes, allowed },
-            other => Self::Model {
-                model: "exact",
-                reason: other.to_string(),
-            },
+            other => Self::from_model("exact", other),
         }
     }
 }
@@ -73,4 +71,19 @@ pub fn check(set: LoadSet) -> Result<(), ExactError> {
         });
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::error::Error;
+
+    #[test]
+    fn a_scene_that_the_series_fail_in_names_their_error_as_its_cause() {
+        let cause = ExactError::SingularFit { gaps: 3 };
+        let error = SceneError::from(cause.clone());
+        assert_eq!(error.to_string(), format!("exact: {cause}"));
+        let source = error.source().and_then(<dyn Error>::downcast_ref);
+        assert_eq!(source, Some(&cause));
+    }
 }

@@ -27,7 +27,7 @@ fn scene(beta: f64, positions: [[f64; 3]; 2], headings_deg: [f64; 2]) -> Scene {
     let squirmer = Squirmer::with_beta(1.0, beta).unwrap();
     let pose = |k: usize| Pose {
         position: positions[k].into(),
-        orientation: Orientation::Angle(headings_deg[k].to_radians()),
+        orientation: Orientation::from_degrees(headings_deg[k]),
     };
     Scene::new(
         [squirmer; 2],
@@ -59,7 +59,7 @@ fn run_to(scene: &Scene, angles_at: f64, tolerance: f64) -> Run {
 }
 
 fn degrees(run: &Run) -> [f64; 2] {
-    run.deflections().map(f64::to_degrees)
+    run.deflections_rad().map(f64::to_degrees)
 }
 
 fn paper_cases() -> Vec<Scene> {
@@ -76,7 +76,7 @@ fn val_two_ways_to_infinity_agree_to_a_millionth_of_a_degree() {
         let by_tail = run_to(&scene, f64::INFINITY, 1e-12);
         // So far out that what is left, 1e-10 of the turn at 12, is below what is asked.
         let by_flight = run_to(&scene, 1e6, 1e-12);
-        assert!(by_tail.truncation.to_degrees() < 1e-7);
+        assert!(by_tail.truncation_rad.to_degrees() < 1e-7);
         for (a, b) in degrees(&by_tail).into_iter().zip(degrees(&by_flight)) {
             assert!((a - b).abs() < 1e-6, "{a} against {b}: {:?}", scene.start);
         }
@@ -109,7 +109,7 @@ fn val_what_a_cut_run_misses_is_what_it_says() {
         for at in [12.0, 24.0, 100.0] {
             let run = run_to(&scene, at, 1e-10);
             let missed = [0, 1].map(|k| (degrees(&run)[k] - limit[k]).abs());
-            let (missed, said) = (missed[0].max(missed[1]), run.truncation.to_degrees());
+            let (missed, said) = (missed[0].max(missed[1]), run.truncation_rad.to_degrees());
             // The next order is smaller by one power of the distance at least.
             let allowed = 12.0 / at;
             assert!(
@@ -125,7 +125,7 @@ fn pairs_that_never_come_within_the_departure_distance_part_when_they_recede() {
     for dx in [12.0, 13.0, 40.0] {
         let run = run_to(&opposed(1.0, dx), f64::INFINITY, 1e-8);
         assert_eq!(run.outcome, Outcome::Scattered, "dx {dx}");
-        assert!(run.truncation < 1e-8 && run.end_time < 10.0);
+        assert!(run.truncation_rad < 1e-8 && run.end_time < 10.0);
         assert!((run.min_gap - (dx - 2.0)).abs() < 0.1);
     }
 }
@@ -171,12 +171,16 @@ fn a_pair_that_parts_almost_in_parallel_says_how_far_its_angles_are_from_their_l
     let turn = |half_deg: f64| {
         let run = run_to(&splayed(half_deg), f64::INFINITY, 1e-10);
         assert_eq!(run.outcome, Outcome::Scattered);
-        assert!(run.truncation < 1e-7, "{half_deg}: {}", run.truncation);
-        run.deflections()[0].abs()
+        assert!(
+            run.truncation_rad < 1e-7,
+            "{half_deg}: {}",
+            run.truncation_rad
+        );
+        run.deflections_rad()[0].abs()
     };
     assert!(turn(10.0) > turn(40.0));
     let cut = run_to(&splayed(10.0), 14.0, 1e-10);
-    assert!(cut.truncation > 0.5 * turn(10.0));
+    assert!(cut.truncation_rad > 0.5 * turn(10.0));
 }
 
 #[test]

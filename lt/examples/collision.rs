@@ -1,14 +1,13 @@
-//! Fig. 6 of the paper by lubrication theory, timed: `cargo run --release -p lt --example collision`.
+//! Fig. 6 of the paper by lubrication theory, timed: `cargo run --release -p squirmers-lt --example collision`.
 //!
 //! Two pullers (`beta = 5`) approach on opposed paths an offset `dx` apart. The least of many repeats is printed, from
 //! the start of the scene to its verdict, free flights included; `bench/scipy` divides by it.
 
-use std::f64::consts::FRAC_PI_2;
 use std::hint::black_box;
 use std::time::Instant;
 
 use lt::{Form, Lubrication};
-use scene::{Orientation, Pose, Repulsion, RunOptions, Scene, SceneError, Squirmer, run};
+use scene::{Pose, Repulsion, RunOptions, Scene, SceneError, Squirmer, run};
 
 const REPEATS: usize = 20_000;
 
@@ -17,13 +16,9 @@ fn main() -> Result<(), SceneError> {
     let model = Lubrication::new(Form::Published);
     let options = RunOptions::default();
     for dx in [1.0, 2.0] {
-        let pose = |x: f64, y: f64, angle: f64| Pose {
-            position: [x, y, 0.0].into(),
-            orientation: Orientation::Angle(angle),
-        };
         let start = [
-            pose(-0.5 * dx, 5.0, -FRAC_PI_2),
-            pose(0.5 * dx, -5.0, FRAC_PI_2),
+            Pose::planar(-0.5 * dx, 5.0, -90.0),
+            Pose::planar(0.5 * dx, -5.0, 90.0),
         ];
         let scene = Scene::new([squirmer; 2], start, Some(Repulsion::PAPER), None)?;
         let mut found = run(&scene, &model, &options)?;
@@ -33,7 +28,7 @@ fn main() -> Result<(), SceneError> {
             found = black_box(run(black_box(&scene), &model, &options)?);
             least = least.min(began.elapsed().as_secs_f64());
         }
-        let deflection = (found.end.angles[0] - found.start.angles[0]).to_degrees();
+        let deflection = found.deflections_rad()[0].to_degrees();
         println!(
             "dx {dx}: {:.3} us, {} right-hand sides, deflection {deflection:.5} degrees",
             1e6 * least,

@@ -6,12 +6,10 @@
 #![allow(clippy::float_cmp, reason = "exactly equal is what is claimed")]
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
-use std::f64::consts::FRAC_PI_2;
-
 use lt::{Form, Lubrication};
 use scene::{
-    Gravity, Isolated, Orientation, Outcome, Plan, Pose, Repulsion, Run, RunOptions, Scene,
-    Squirmer, run, run_plan,
+    Gravity, Isolated, Outcome, Plan, Pose, Repulsion, Run, RunOptions, Scene, Squirmer, run,
+    run_plan,
 };
 
 /// Distance of the centres at the cut.
@@ -33,11 +31,11 @@ impl Pair {
                 Squirmer::new(&[]).unwrap()
             }
         };
-        let pose = |x: f64, k: usize| Pose {
-            position: [x, 0.0, 0.0].into(),
-            orientation: Orientation::Angle(self.headings_deg[k].to_radians()),
-        };
-        let start = [pose(0.0, 0), pose(distance, 1)];
+        let [one, two] = self.headings_deg;
+        let start = [
+            Pose::planar(0.0, 0.0, one),
+            Pose::planar(distance, 0.0, two),
+        ];
         let squirmers = [squirmer(0), squirmer(1)];
         Scene::new(squirmers, start, Some(Repulsion::PAPER), None).unwrap()
     }
@@ -90,7 +88,7 @@ fn two_squirmers_that_swim_apart_sideways_from_the_cut_do_not_turn() {
     ] {
         let run = pair.run(CUT);
         assert_eq!(run.outcome, Outcome::Scattered);
-        assert_eq!(run.deflections(), [0.0, 0.0]);
+        assert_eq!(run.deflections_rad(), [0.0, 0.0]);
     }
 }
 
@@ -111,7 +109,11 @@ fn starts_at_the_cut_and_next_to_it_end_as_the_motion_enters() {
                 Some(inside) if inside.outcome != Outcome::Scattered && v_y.abs() < 1e-9 => {}
                 Some(inside) => {
                     assert_eq!(run.outcome, inside.outcome, "{what}");
-                    for (a, b) in run.deflections().into_iter().zip(inside.deflections()) {
+                    for (a, b) in run
+                        .deflections_rad()
+                        .into_iter()
+                        .zip(inside.deflections_rad())
+                    {
                         assert!((a - b).abs() < 1e-6, "{what}: {a} against {b}");
                     }
                 }
@@ -120,11 +122,17 @@ fn starts_at_the_cut_and_next_to_it_end_as_the_motion_enters() {
                 None if at_rest => {
                     let stays = [Outcome::Undecided, Outcome::Standoff, Outcome::Pairwise];
                     assert!(stays.contains(&run.outcome), "{what}");
-                    assert!(run.deflections().iter().all(|d| d.abs() < 1e-9), "{what}");
+                    assert!(
+                        run.deflections_rad().iter().all(|d| d.abs() < 1e-9),
+                        "{what}"
+                    );
                 }
                 None => {
                     assert_eq!(run.outcome, Outcome::Scattered, "{what}");
-                    assert!(run.deflections().iter().all(|d| d.abs() < 1e-9), "{what}");
+                    assert!(
+                        run.deflections_rad().iter().all(|d| d.abs() < 1e-9),
+                        "{what}"
+                    );
                 }
             }
         }
@@ -144,7 +152,11 @@ fn starts_at_the_cut_in_three_dimensions_end_as_in_the_plane() {
             continue;
         }
         assert_eq!(spatial.outcome, planar.outcome, "{pair:?}");
-        for (a, b) in spatial.deflections().into_iter().zip(planar.deflections()) {
+        for (a, b) in spatial
+            .deflections_rad()
+            .into_iter()
+            .zip(planar.deflections_rad())
+        {
             assert!((a - b).abs() < 1e-6, "{pair:?}: {a} against {b}");
         }
     }
@@ -171,7 +183,7 @@ fn a_pair_that_swims_in_parallel_beyond_the_cut_never_parts() {
     let pair = pair([1.0, 1.0], 5.0, [90.0, 90.0]);
     let run = pair.run(5.0);
     assert_eq!(run.outcome, Outcome::Undecided);
-    assert_eq!(run.deflections(), [0.0, 0.0]);
+    assert_eq!(run.deflections_rad(), [0.0, 0.0]);
     assert!((run.end_time - 200.0).abs() < 1e-12);
 }
 
@@ -196,10 +208,7 @@ fn every_start_of_a_strongly_bottom_heavy_pair_has_a_result() {
         let squirmer = Squirmer::with_beta(1.0, -5.0).and_then(|s| s.bottom_heavy(g));
         let squirmer = squirmer.unwrap();
         for (delta, sigma) in (points.iter()).flat_map(|d| points.iter().map(move |s| (d, s))) {
-            let pose = |side: f64| Pose {
-                position: [1.5 * side, 0.0, 0.0].into(),
-                orientation: Orientation::Angle(FRAC_PI_2 * (sigma + side * delta)),
-            };
+            let pose = |side: f64| Pose::planar(1.5 * side, 0.0, 90.0 * (sigma + side * delta));
             let start = [pose(-1.0), pose(1.0)];
             let gravity = Some(Gravity::DOWN);
             let scene = Scene::new([squirmer; 2], start, Some(Repulsion::PAPER), gravity).unwrap();

@@ -1,9 +1,16 @@
 //! What can be wrong with a scene, and what can fail in computing it.
 
-use crate::LoadSet;
+use std::error::Error;
+use std::fmt;
+use std::ops::Deref;
+use std::sync::Arc;
 
-/// Everything that this crate can refuse or fail at, with the offending numbers.
+use crate::LoadSet;
+use crate::ode::OdeError;
+
+/// Everything that this crate can refuse or fail at, with the offending numbers. Later versions may add variants.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SceneError {
     /// A gap that is not a positive finite number: the spheres overlap or touch.
     #[error("gap {eps:?} is not allowed: the gap between the spheres must be positive and finite")]
@@ -86,17 +93,103 @@ pub enum SceneError {
         allowed: f64,
     },
     /// The integration of a trajectory failed.
-    #[error("trajectory: {reason}")]
+    #[error("trajectory: {source}")]
     Stepper {
-        /// The stepper's reason, one line.
-        reason: String,
+        /// What the stepper reports.
+        source: OdeError,
     },
-    /// A model failed for a reason of its own.
-    #[error("{model}: {reason}")]
+    /// Contacts and free flights alternate without end.
+    #[error("trajectory: no end to contacts and flights at t = {t}")]
+    TooManyPhases {
+        /// Contacts and flights so far.
+        phases: usize,
+        /// Time reached, in units of `a/V_s`.
+        t: f64,
+    },
+    /// A free flight under gravity whose end is not found.
+    #[error("trajectory: {advances} advances of a free flight end {t} after its start")]
+    TooManyAdvances {
+        /// Advances towards the next contact.
+        advances: usize,
+        /// Time since the start of the flight, in units of `a/V_s`.
+        t: f64,
+    },
+    /// A model failed for a reason of its own: [`SceneError::from_model`].
+    #[error("{model}: {source}")]
     Model {
         /// The model's name.
         model: &'static str,
-        /// Its reason, one line.
-        reason: String,
+        /// The model's own error.
+        source: ModelFailure,
     },
+}
+
+impl SceneError {
+    /// The error `cause` of a hydrodynamic model with the name `model`, which is kept whole:
+    /// [`Error::source`] hands it back.
+    pub fn from_model(model: &'static str, cause: impl Error + Send + Sync + 'static) -> Self {
+        Self::Model {
+            model,
+            source: ModelFailure(Arc::new(cause)),
+        }
+    }
+}
+
+/// An error of any type that a hydrodynamic model reports. Two of them are equal if they print alike.
+#[derive(Clone, Debug)]
+pub struct ModelFailure(Arc<dyn Error + Send + Sync>);
+
+impl Deref for ModelFailure {
+    type Target = dyn Error + Send + Sync;
+
+    fn deref(&self) -> &Self::Target {
+        self.0.as_ref()
+    }
+}
+
+impl fmt::Display for ModelFailure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl PartialEq for ModelFailure {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.to_string() == other.0.to_string()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Isolated, Pose, Repulsion, RunOptions, Scene, Squirmer, run};
+
+    #[test]
+    fn a_failed_trajectory_names_the_error_of_the_stepper_as_its_cause() {
+        let squirmers = [Squirmer::with_beta(1.0, 0.0).unwrap(); 2];
+        let start = [Pose::planar(-1.5, 0.0, 0.0), Pose::planar(1.5, 0.0, 180.0)];
+        let scene = Scene::new(squirmers, start, Some(Repulsion::PAPER), None).unwrap();
+        let options = RunOptions {
+            max_steps: 2,
+            ..RunOptions::default()
+        };
+        let error = run(&scene, &Isolated, &options).unwrap_err();
+        let source = error.source().and_then(<dyn Error>::downcast_ref);
+        let Some(cause @ OdeError::TooManySteps { steps: 2, .. }) = source else {
+            panic!("{error:?}");
+        };
+        assert_eq!(error.to_string(), format!("trajectory: {cause}"));
+    }
+
+    #[test]
+    fn the_error_of_a_model_is_kept_whole_as_the_cause() {
+        let cause = SceneError::InvalidGap { eps: -1.0 };
+        let error = SceneError::from_model("mine", cause.clone());
+        assert_eq!(error.to_string(), format!("mine: {cause}"));
+        let source = error.source().and_then(<dyn Error>::downcast_ref);
+        assert_eq!(source, Some(&cause));
+        assert_eq!(error, SceneError::from_model("mine", cause));
+        let other = SceneError::InvalidGap { eps: -2.0 };
+        assert_ne!(error, SceneError::from_model("mine", other));
+    }
 }

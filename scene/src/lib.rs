@@ -6,7 +6,8 @@
 //! of them. [`Tabulated`] makes any model, however dear, as cheap as a closed form.
 //!
 //! Units: radius 1, viscosity 1, swimming speed of order 1; definitions and signs of all loads are
-//! in [`loads`].
+//! in [`loads`]. A name that ends in `_rad` holds radians (or radians per unit of time), one that ends in `_deg` degrees.
+//! Vectors are those of [`nalgebra`], which this crate hands on: `use scene::nalgebra::Vector3`.
 
 pub mod balance;
 mod effects;
@@ -26,8 +27,11 @@ mod squirmer;
 pub mod swirl;
 mod tabulated;
 
+/// The version of nalgebra whose vectors are in this crate's types.
+pub use nalgebra;
+
 pub use effects::{Gravity, Repulsion};
-pub use error::SceneError;
+pub use error::{ModelFailure, SceneError};
 pub use gap::Gap;
 pub use hydrodynamics::{GapRange, Hydrodynamics, ModelDescription};
 pub use isolated::Isolated;

@@ -106,13 +106,9 @@ impl Plan {
     /// [`SceneError`] if the spheres overlap at the start or an orientation has no direction.
     ///
     /// ```
-    /// use scene::{Orientation, Plan, Pose, Scene, Squirmer, State};
+    /// use scene::{Plan, Pose, Scene, Squirmer, State};
     /// let squirmer = Squirmer::with_beta(1.0, 5.0)?;
-    /// let pose = |x: f64, angle: f64| Pose {
-    ///     position: [x, 0.0, 0.0].into(),
-    ///     orientation: Orientation::Angle(angle),
-    /// };
-    /// let start = [pose(-1.5, 0.0), pose(1.5, std::f64::consts::PI)];
+    /// let start = [Pose::planar(-1.5, 0.0, 0.0), Pose::planar(1.5, 0.0, 180.0)];
     /// let plan = Plan::new(&Scene::new([squirmer; 2], start, None, None)?)?;
     /// assert_eq!(plan.state(), State::Axisymmetric);
     /// assert!(plan.repulsion().is_none());

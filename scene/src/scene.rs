@@ -1,5 +1,7 @@
 //! A scene: two squirmers, where they start, and the effects that act on them.
 
+use std::f64::consts::FRAC_PI_2;
+
 use nalgebra::Vector3;
 
 use crate::effects::unit;
@@ -13,19 +15,28 @@ const FARTHEST: f64 = 1e150;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Orientation {
     /// Angle in the x-y plane, anticlockwise from the x axis, in radians; it may wind.
-    Angle(f64),
+    /// [`Orientation::from_degrees`] makes it of degrees.
+    Radians(f64),
     /// Vector in three dimensions, of any length.
     Vector(Vector3<f64>),
 }
 
 impl Orientation {
+    /// The direction in the x-y plane at an angle in degrees, anticlockwise from the x axis; it may wind.
+    ///
+    /// Quarter turns are exact: 90 degrees are the floating-point number `FRAC_PI_2`, 180 degrees are `PI`.
+    #[must_use]
+    pub fn from_degrees(degrees: f64) -> Self {
+        Self::Radians(degrees / 90.0 * FRAC_PI_2)
+    }
+
     /// The unit vector `p`.
     ///
     /// # Errors
     /// [`SceneError::NotFinite`] or [`SceneError::NoDirection`].
     pub fn vector(&self) -> Result<Vector3<f64>, SceneError> {
         match *self {
-            Self::Angle(angle) => {
+            Self::Radians(angle) => {
                 finite("orientation angle", angle)?;
                 Ok(Vector3::new(angle.cos(), angle.sin(), 0.0))
             }
@@ -35,9 +46,9 @@ impl Orientation {
 
     /// The angle in the x-y plane of the orientation's projection, in radians.
     #[must_use]
-    pub fn angle(&self) -> f64 {
+    pub fn angle_rad(&self) -> f64 {
         match *self {
-            Self::Angle(angle) => angle,
+            Self::Radians(angle) => angle,
             Self::Vector(v) => v.y.atan2(v.x),
         }
     }
@@ -50,6 +61,30 @@ pub struct Pose {
     pub position: Vector3<f64>,
     /// Swimming direction.
     pub orientation: Orientation,
+}
+
+impl Pose {
+    /// A squirmer in the plane `z = 0`: its centre at `(x, y)`, in sphere radii, its swimming direction at an angle in
+    /// `degrees`, anticlockwise from the x axis. Quarter turns are exact ([`Orientation::from_degrees`]).
+    ///
+    /// A number that is not finite is refused by [`Scene::new`].
+    ///
+    /// ```
+    /// use scene::{Pose, Scene, Squirmer};
+    /// let pullers = [Squirmer::with_beta(1.0, 5.0)?; 2];
+    /// // On opposed paths: the first swims down, the second up.
+    /// let start = [Pose::planar(-0.5, 5.0, -90.0), Pose::planar(0.5, -5.0, 90.0)];
+    /// let scene = Scene::new(pullers, start, None, None)?;
+    /// assert!((scene.gap()?.eps() - 8.05).abs() < 1e-2);
+    /// # Ok::<(), scene::SceneError>(())
+    /// ```
+    #[must_use]
+    pub fn planar(x: f64, y: f64, degrees: f64) -> Self {
+        Self {
+            position: Vector3::new(x, y, 0.0),
+            orientation: Orientation::from_degrees(degrees),
+        }
+    }
 }
 
 /// Two squirmers, where they start, and the effects that act besides hydrodynamics.
@@ -116,5 +151,50 @@ impl Scene {
     pub fn modes(&self) -> usize {
         let [one, two] = &self.squirmers;
         one.modes().len().max(two.modes().len())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn quarter_turns_in_degrees_are_exact_in_radians() {
+        for quarters in -9..=9 {
+            let pose = Pose::planar(0.0, 0.0, 90.0 * f64::from(quarters));
+            let expected = Orientation::Radians(f64::from(quarters) * FRAC_PI_2);
+            assert_eq!(pose.orientation, expected, "{quarters} quarter turns");
+        }
+        assert_eq!(Orientation::from_degrees(180.0), Orientation::Radians(PI));
+    }
+
+    #[test]
+    fn a_planar_pose_points_anticlockwise_from_x_and_lies_at_z_0() {
+        let pose = Pose::planar(1.5, -2.0, 30.0);
+        assert_eq!(pose.position, Vector3::new(1.5, -2.0, 0.0));
+        let expected = Vector3::new(0.75_f64.sqrt(), 0.5, 0.0);
+        assert_relative_eq!(
+            pose.orientation.vector().unwrap(),
+            expected,
+            epsilon = 1e-15
+        );
+        assert_relative_eq!(pose.orientation.angle_rad(), PI / 6.0, epsilon = 1e-15);
+    }
+
+    #[test]
+    fn a_scene_refuses_a_planar_pose_that_is_not_finite() {
+        let squirmers = [Squirmer::with_beta(1.0, 0.0).unwrap(); 2];
+        for bad in [f64::NAN, f64::INFINITY] {
+            for pose in [Pose::planar(bad, 0.0, 0.0), Pose::planar(0.0, 0.0, bad)] {
+                let start = [pose, Pose::planar(5.0, 0.0, 0.0)];
+                let refused = Scene::new(squirmers, start, None, None);
+                assert!(
+                    matches!(refused, Err(SceneError::NotFinite { .. })),
+                    "{pose:?}"
+                );
+            }
+        }
     }
 }

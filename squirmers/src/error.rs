@@ -1,6 +1,6 @@
 //! What a command can fail at, and its exit status.
 
-use compare::CompareError;
+use compare::{CompareError, FailureKind};
 use scene::SceneError;
 
 use crate::figures::FigureError;
@@ -51,25 +51,11 @@ impl CommandError {
         let Self::Compare(error) = self else {
             return 1;
         };
-        match error {
-            CompareError::Input { .. }
-            | CompareError::Read { .. }
-            | CompareError::SceneFile { .. }
-            | CompareError::FamilyPoint(_)
-            | CompareError::Write { .. }
-            | CompareError::Busy { .. }
-            | CompareError::OtherSweep { .. }
-            | CompareError::Share { .. }
-            | CompareError::Bem(_) => 2,
-            CompareError::Stopped { .. } => STOPPED,
-            CompareError::Interrupted { .. } => interrupt::STATUS,
-            CompareError::Scene(SceneError::Stepper { .. } | SceneError::Model { .. }) => 1,
-            CompareError::Scene(_) => 2,
-            CompareError::Rows(_)
-            | CompareError::Json(_)
-            | CompareError::Cases(_)
-            | CompareError::RunsFailed { .. }
-            | CompareError::BoundsBroken { .. } => 1,
+        match error.kind() {
+            FailureKind::Input => 2,
+            FailureKind::Computation => 1,
+            FailureKind::Stopped => STOPPED,
+            FailureKind::Interrupted => interrupt::STATUS,
         }
     }
 }

@@ -139,10 +139,10 @@ fn a_mirror_image_under_gravity_stays_one_to_the_last_bit() {
             let model = Model::set_up(method, &ModelOptions::default()).unwrap();
             let scene = Pair { beta, g, dz: 0.0 }.scene(delta, 1.0).unwrap();
             let end = model.run(&scene, &RunOptions::default()).unwrap().end;
-            assert_eq!(end.line_angle, 0.0);
+            assert_eq!(end.line_angle_rad, 0.0);
             assert_eq!(end.midpoint.x, 0.0);
             // As angles from the x axis they differ by the rounding of pi.
-            assert_relative_eq!(end.angles[0], PI - end.angles[1], epsilon = 1e-14);
+            assert_relative_eq!(end.angles_rad[0], PI - end.angles_rad[1], epsilon = 1e-14);
         }
     }
 }

@@ -126,8 +126,8 @@ fn a_mirrored_scene_has_a_mirrored_outcome() {
         assert_relative_eq!(mirrored.end.orientations[k], expected, epsilon = 1e-9);
     }
     assert_relative_eq!(
-        mirrored.deflections()[0],
-        -plain.deflections()[0],
+        mirrored.deflections_rad()[0],
+        -plain.deflections_rad()[0],
         epsilon = 1e-9
     );
 }
@@ -158,7 +158,7 @@ fn planar_and_spatial_motion_agree() {
     let position = [[-1.5, 0.0], [1.5, 0.0]];
     let planar = [0, 1].map(|k| Pose {
         position: [position[k][0], position[k][1], 0.0].into(),
-        orientation: Orientation::Angle(angles[k]),
+        orientation: Orientation::Radians(angles[k]),
     });
     // The same scene with its plane stood upright.
     let upright = [0, 1].map(|k| {
@@ -214,12 +214,12 @@ fn a_facing_pair_keeps_its_axis_to_the_last_bit() {
     let squirmers = [Squirmer::with_beta(1.0, 5.0).unwrap(); 2];
     let start = [(-1.5, 0.0), (1.5, PI)].map(|(x, angle)| Pose {
         position: [x, 0.0, 0.0].into(),
-        orientation: Orientation::Angle(angle),
+        orientation: Orientation::Radians(angle),
     });
     let scene = Scene::new(squirmers, start, Some(Repulsion::PAPER), None).unwrap();
     let run = lubricated(&scene, &RunOptions::default());
     assert_eq!(run.outcome, scene::Outcome::Standoff);
-    assert_eq!(run.deflections(), [0.0, 0.0]);
+    assert_eq!(run.deflections_rad(), [0.0, 0.0]);
     assert_eq!(run.end.midpoint, Vector3::zeros());
 }
 
@@ -236,7 +236,7 @@ fn a_settled_pair_ends_where_integration_to_the_end_takes_it() {
         let angles = [sigma - delta, sigma + delta].map(|angle| FRAC_PI_2 * angle);
         let flat = [(-1.5, angles[0]), (1.5, angles[1])].map(|(x, angle)| Pose {
             position: [x, 0.0, 0.0].into(),
-            orientation: Orientation::Angle(angle),
+            orientation: Orientation::Radians(angle),
         });
         let upright = [(-1.5, angles[0]), (1.5, angles[1])]
             .map(|(x, angle)| vector_pose([x, 0.0, 0.0], [angle.cos(), 0.0, angle.sin()]));
@@ -267,10 +267,10 @@ fn deflections_wind() {
     let (delta, sigma) = (1.0, 0.7);
     let start = [(-1.5, sigma - delta), (1.5, sigma + delta)].map(|(x, angle)| Pose {
         position: [x, 0.0, 0.0].into(),
-        orientation: Orientation::Angle(FRAC_PI_2 * angle),
+        orientation: Orientation::Radians(FRAC_PI_2 * angle),
     });
     let scene = Scene::new(squirmers, start, Some(Repulsion::PAPER), None).unwrap();
     let run = lubricated(&scene, &RunOptions::default());
     assert_eq!(run.outcome, scene::Outcome::Anticlockwise);
-    assert!(run.deflections()[0] > 4.0 * PI);
+    assert!(run.deflections_rad()[0] > 4.0 * PI);
 }

@@ -67,7 +67,7 @@ fn case(approach: Approach, beta: f64, dx: f64, dz: f64) -> Scene {
 fn pair(angles: [f64; 2], squirmers: [Squirmer; 2], gravity: Option<Gravity>) -> Scene {
     let start = [(-1.2, angles[0]), (1.2, angles[1])].map(|(x, angle)| Pose {
         position: [x, 0.0, 0.0].into(),
-        orientation: Orientation::Angle(angle),
+        orientation: Orientation::Radians(angle),
     });
     Scene::new(squirmers, start, Some(Repulsion::PAPER), gravity).unwrap()
 }
@@ -143,7 +143,7 @@ fn val_opposed_paths_offset_both_ways_meet_as_those_offset_by_the_hypotenuse() {
         );
         // What is reported is the angle of the projection on the x-y plane.
         let projected = b.y.atan2(b.x) - tilted.start.orientations[k].y.atan2(0.0);
-        let turns = (tilted.deflections()[k] - projected) / TAU;
+        let turns = (tilted.deflections_rad()[k] - projected) / TAU;
         assert!(close(turns, turns.round()), "{turns}");
     }
 }
@@ -172,7 +172,7 @@ fn val_a_motion_in_a_tilted_plane_is_that_in_three_dimensions_windings_included(
             for k in 0..2 {
                 let [a, b] = [&a.configuration, &b.configuration];
                 if level(&a.orientations[k]) {
-                    let turns = (a.angles[k] - b.angles[k]) / TAU;
+                    let turns = (a.angles_rad[k] - b.angles_rad[k]) / TAU;
                     assert!((turns - turns.round()).abs() < 1e-5);
                 }
             }
@@ -194,8 +194,8 @@ fn the_sense_of_an_orbit_is_that_of_its_projection() {
         assert!(senses.contains(&run.outcome));
         // The projection goes round as often as the pair does, one way or the other.
         let sense = if same { 1.0 } else { -1.0 };
-        let turned = run.end.line_angle - run.start.line_angle;
-        let expected = level.end.line_angle - level.start.line_angle;
+        let turned = run.end.line_angle_rad - run.start.line_angle_rad;
+        let expected = level.end.line_angle_rad - level.start.line_angle_rad;
         assert!(
             expected.abs() > TAU && (turned - sense * expected).abs() < PI,
             "{turned} {expected}"
@@ -244,7 +244,7 @@ proptest! {
         let at = Vector3::from(at);
         let start = [0, 1].map(|k| Pose {
             position: if k == 0 { at - half } else { at + half },
-            orientation: Orientation::Angle(angles[k]),
+            orientation: Orientation::Radians(angles[k]),
         });
         let gravity = down.map(|down| Gravity::new([f64::cos(down), f64::sin(down), 0.0].into()).unwrap());
         let level = Scene::new(squirmers, start, Some(Repulsion::PAPER), gravity).unwrap();

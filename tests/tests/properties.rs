@@ -83,7 +83,7 @@ fn any_scene() -> impl Strategy<Value = Scene> {
                 let start = [0, 1].map(|k| Pose {
                     position: if k == 0 { -half } else { half },
                     orientation: if flat {
-                        Orientation::Angle(headings[k].1)
+                        Orientation::Radians(headings[k].1)
                     } else {
                         Orientation::Vector(headings[k].0)
                     },
@@ -302,13 +302,13 @@ fn reachable(plan: &Plan, [eps, a, b, c, d, e]: [f64; 6]) -> Configuration {
     let in_plane = |angle: f64| Vector3::new(angle.cos(), angle.sin(), 0.0);
     match plan.state() {
         State::Planar => {
-            let [line_angle, one, two] = [a, b, c].map(|seed| TAU * seed);
+            let [line_angle_rad, one, two] = [a, b, c].map(|seed| TAU * seed);
             Configuration {
                 gap,
-                line: in_plane(line_angle),
+                line: in_plane(line_angle_rad),
                 orientations: [in_plane(one), in_plane(two)],
-                line_angle,
-                angles: [one, two],
+                line_angle_rad,
+                angles_rad: [one, two],
                 ..start
             }
         }
@@ -351,7 +351,7 @@ fn symmetric_plans_leave_nothing_out_either() {
     for angles in [[0.4, PI + 0.4], [0.4, PI - 0.4], [0.0, PI]] {
         let start = [(-1.01, angles[0]), (1.01, angles[1])].map(|(x, angle)| Pose {
             position: [x, 0.0, 0.0].into(),
-            orientation: Orientation::Angle(angle),
+            orientation: Orientation::Radians(angle),
         });
         // Swirl leaves nothing but a pair on one axis as it is.
         let squirmer = if angles[0] == 0.0 { swirling } else { plain };

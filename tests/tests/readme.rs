@@ -105,7 +105,7 @@ fn encounter(case: &Case, method: Method) -> &'static Encounter {
 /// Deflections in degrees.
 fn deflections(case: &Case, method: Method) -> [f64; 2] {
     let run = encounter(case, method).run.as_ref().unwrap();
-    run.deflections().map(f64::to_degrees)
+    run.deflections_rad().map(f64::to_degrees)
 }
 
 fn case(approach: Approach, beta: f64, dx: f64) -> Case {

@@ -119,7 +119,7 @@ fn starts_of_the_maps_from_files_have_the_numbers_of_the_map() {
         );
         let run = ran(&file);
         assert_eq!(run.outcome.to_string(), row.outcome, "{name}");
-        let [one, two] = run.deflections().map(|angle| angle.to_degrees() + 0.0);
+        let [one, two] = run.deflections_rad().map(|angle| angle.to_degrees() + 0.0);
         let found = [one, two, run.min_gap, run.contact_time];
         let expected = [
             row.deflection1_deg,
@@ -156,7 +156,7 @@ fn bottom_heavy_pairs_from_files_are_those_of_their_command() {
         // Degrees and products of pi may differ in the last bit.
         assert_relative_eq!(found.min_gap, expected.min_gap, max_relative = 1e-6);
         for k in 0..2 {
-            let [a, b] = [&found, &expected].map(|run| run.deflections()[k]);
+            let [a, b] = [&found, &expected].map(|run| run.deflections_rad()[k]);
             assert_relative_eq!(a, b, max_relative = 1e-6, epsilon = 1e-6);
         }
     }
@@ -182,7 +182,7 @@ fn scene_files_of_bound_states_end_in_them() {
 fn val_neutral_pairs_from_files_turn_and_stay_as_the_paper_says() {
     let turned = |name: &str| {
         let run = ran(&scene_file(name));
-        (run.deflections()[0] / PI, run.contact_time)
+        (run.deflections_rad()[0] / PI, run.contact_time)
     };
     let (delta, tau) = turned("fig2-neutral-iii");
     assert!(
@@ -201,7 +201,7 @@ fn on_axis(eps: f64, angles: [f64; 2], squirmers: [Squirmer; 2]) -> Scene {
     let half = 1.0 + 0.5 * eps;
     let start = [(-half, angles[0]), (half, angles[1])].map(|(x, angle)| Pose {
         position: [x, 0.0, 0.0].into(),
-        orientation: Orientation::Angle(angle),
+        orientation: Orientation::Radians(angle),
     });
     Scene::new(squirmers, start, None, None).unwrap()
 }
@@ -396,7 +396,7 @@ fn val_without_hydrodynamics_squirmers_fly_straight_until_they_touch() {
         let start =
             [([-3.0, 0.0], 0.0), ([0.0, -3.0 - d], FRAC_PI_2)].map(|([x, y], angle)| Pose {
                 position: [x, y, 0.0].into(),
-                orientation: Orientation::Angle(angle),
+                orientation: Orientation::Radians(angle),
             });
         run_of(&Scene::new([squirmer; 2], start, None, None).unwrap())
     };
@@ -506,7 +506,7 @@ fn reduced_and_full_trajectories_agree() {
         for k in 0..2 {
             let [a, b] = [&reduced, &full].map(|run| run.end.positions()[k]);
             assert_relative_eq!(a, b, epsilon = 2e-9);
-            let [a, b] = [&reduced, &full].map(|run| run.end.angles[k]);
+            let [a, b] = [&reduced, &full].map(|run| run.end.angles_rad[k]);
             assert!((a - b).abs() < 2e-9, "{state}: {a} {b}");
         }
         assert_relative_eq!(reduced.min_gap, full.min_gap, max_relative = 1e-8);
@@ -536,7 +536,7 @@ fn reduced_motion_is_symmetric_to_the_last_bit_for_ever() {
                 _ => assert_eq!(c.midpoint, Vector3::zeros()),
             }
         }
-        let [one, two] = run.deflections();
+        let [one, two] = run.deflections_rad();
         let expected = if state == State::MirrorSymmetric {
             -one
         } else {

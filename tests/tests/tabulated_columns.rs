@@ -64,7 +64,7 @@ impl Hydrodynamics for Counted {
 fn scene(angles: [f64; 2], lift: f64, squirmer: Squirmer, gravity: Option<Gravity>) -> Scene {
     let start = [(-1.2, angles[0]), (1.2, angles[1])].map(|(x, angle)| Pose {
         position: [x, 0.0, lift * x].into(),
-        orientation: Orientation::Angle(angle),
+        orientation: Orientation::Radians(angle),
     });
     Scene::new([squirmer; 2], start, None, gravity).unwrap()
 }

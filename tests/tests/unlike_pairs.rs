@@ -226,8 +226,8 @@ fn pose(position: [f64; 3], orientation: Orientation) -> Pose {
 
 fn collision(swirl: [&[f64]; 2]) -> Scene {
     let start = [
-        pose([-1.4, 0.2, 0.0], Orientation::Angle(0.3)),
-        pose([1.5, 0.0, 0.0], Orientation::Angle(2.9)),
+        pose([-1.4, 0.2, 0.0], Orientation::Radians(0.3)),
+        pose([1.5, 0.0, 0.0], Orientation::Radians(2.9)),
     ];
     scene(start, swirl)
 }
@@ -276,7 +276,7 @@ fn a_head_on_pair_keeps_its_axis_and_its_gaps_whatever_the_swirl() {
     let with = facing(vectors, [&[0.5, 2.0], &[0.0, 1.0, -3.0]]);
     // In contact from the start, angles from the direction to the other one are zero, exactly: the planar
     // motion keeps its axis too.
-    let angles = [0.0, std::f64::consts::PI].map(Orientation::Angle);
+    let angles = [0.0, std::f64::consts::PI].map(Orientation::Radians);
     let without = facing(angles, [&[], &[]]);
     assert_eq!(with.end.orientations, [Vector3::x(), -Vector3::x()]);
     assert_eq!((with.end.midpoint.y, with.end.midpoint.z), (0.0, 0.0));

@@ -76,7 +76,7 @@ impl<const H: usize> MeshFamily<H> {
         }
     }
 
-    /// Length of the edges of the mesh for the gap `eps` at the angle `theta` from the contact point.
+    /// Length of the edges of the mesh for the gap `eps` at the angle `theta`, in radians, from the contact point.
     #[must_use]
     pub fn edge(&self, eps: f64, theta: f64) -> f64 {
         let law = Grading {
@@ -97,7 +97,7 @@ impl<const H: usize> MeshFamily<H> {
             return *vertex;
         }
         let share = self.law.panels(polar_angle(vertex)) / self.law.panels(PI);
-        let theta = law.angle_of_share(share);
+        let theta = law.angle_of_share_rad(share);
         let stretch = theta.sin() / sine;
         Vector3::new(vertex.x * stretch, vertex.y * stretch, theta.cos())
     }

@@ -33,7 +33,7 @@ impl Grading {
         self.core * self.gap.sqrt()
     }
 
-    /// Edge length at the angle `theta` from the contact point.
+    /// Edge length at the angle `theta` from the contact point, in radians.
     #[must_use]
     pub fn size(&self, theta: f64) -> f64 {
         let cap = 1.0 / (self.slope * (theta + self.cap()));
@@ -41,7 +41,7 @@ impl Grading {
         self.scale / (1.0 / self.far + cap + width)
     }
 
-    /// `H(θ) = ∫₀^θ dθ/h`, the number of panels between the contact point and `theta`.
+    /// `H(θ) = ∫₀^θ dθ/h`, the number of panels between the contact point and the angle `theta`, in radians.
     #[must_use]
     pub fn panels(&self, theta: f64) -> f64 {
         let near = if self.gap.is_finite() {
@@ -53,11 +53,11 @@ impl Grading {
         (theta / self.far + near) / self.scale
     }
 
-    /// The angle up to which the share `share` of all panels of a meridian lies.
+    /// The angle from the contact point, in radians, up to which the share `share` of all panels of a meridian lies.
     ///
     /// Newton's method from the contact point: `H` is concave and rising, so steps never overshoot.
     #[must_use]
-    pub fn angle_of_share(&self, share: f64) -> f64 {
+    pub fn angle_of_share_rad(&self, share: f64) -> f64 {
         let target = share * self.panels(std::f64::consts::PI);
         let mut theta = 0.0;
         for _ in 0..100 {
@@ -92,7 +92,7 @@ mod tests {
             };
             for theta in [1e-3, 0.1, 1.0, 3.0] {
                 let share = law.panels(theta) / law.panels(std::f64::consts::PI);
-                approx::assert_relative_eq!(law.angle_of_share(share), theta, epsilon = 1e-12);
+                approx::assert_relative_eq!(law.angle_of_share_rad(share), theta, epsilon = 1e-12);
             }
         }
     }

@@ -45,7 +45,7 @@ pub fn rings(law: &Grading) -> Mesh {
     };
     let mut before: Option<Ring> = None;
     for k in 0..=steps {
-        let theta = law.angle_of_share(k as f64 / steps as f64);
+        let theta = law.angle_of_share_rad(k as f64 / steps as f64);
         let quarter = if k == 0 || k == steps {
             0
         } else {

@@ -274,7 +274,7 @@ fn difference(found: &Run, reference: &Run) -> (f64, f64) {
         return (f64::NAN, f64::NAN);
     }
     let [a, b] = [0, 1].map(|k| {
-        (found.deflections()[k] - reference.deflections()[k])
+        (found.deflections_rad()[k] - reference.deflections_rad()[k])
             .to_degrees()
             .abs()
     });

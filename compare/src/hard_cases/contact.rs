@@ -15,10 +15,10 @@ const LOADS: LoadSet = LoadSet::all(2);
 const ROUNDING: f64 = 0.5 * f64::EPSILON;
 
 /// Velocities by lubrication theory to 50 digits, with the script that made them beside.
-const VELOCITIES: &str = include_str!("../../../fixtures/contact_velocities.csv");
+const VELOCITIES: &str = fixtures::CONTACT_VELOCITIES;
 
 /// Axial drags and torques by closed series to 50 digits, likewise.
-const AXIAL_LOADS: &str = include_str!("../../../fixtures/contact_loads.csv");
+const AXIAL_LOADS: &str = fixtures::CONTACT_LOADS;
 
 pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
     for model in bench.models() {

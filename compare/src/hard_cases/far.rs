@@ -157,7 +157,7 @@ fn far_flight(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let squirmer = Squirmer::with_beta(1.0, 5.0)?;
     let pose = |x: f64, angle: f64| Pose {
         position: [x, 0.0, 0.0].into(),
-        orientation: Orientation::Angle(angle),
+        orientation: Orientation::Radians(angle),
     };
     let start = [pose(-5e5, 0.3), pose(5e5, 2.9)];
     let scene = Scene::new([squirmer; 2], start, None, None)?;
@@ -165,7 +165,7 @@ fn far_flight(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let off = [0, 1].map(|k| {
         let p = run.start.orientations[k];
         let straight = run.start.positions()[k] + p * run.end_time;
-        (run.end.positions()[k] - straight).norm() + run.deflections()[k].abs()
+        (run.end.positions()[k] - straight).norm() + run.deflections_rad()[k].abs()
     });
     // Slip forces are at most 4 B, over a drag of 6; each of both may be interpolated.
     let strength: f64 = squirmer.modes().iter().sum();
@@ -174,7 +174,7 @@ fn far_flight(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let apart = run.start.gap;
     let (discretised, why) = if model.method() == Method::Bem {
         let [one, two] =
-            levels()?.map(|model| lone_motions(&model, &squirmer, apart, run.start.angles));
+            levels()?.map(|model| lone_motions(&model, &squirmer, apart, run.start.angles_rad));
         (
             LAST * moved(&one?, &two?, run.end_time),
             "motion of a lone squirmer: 3/2 of the difference from the next level; the table's error; rounding of 5e5",

@@ -18,7 +18,7 @@ fn pair(
 ) -> Result<Scene, SceneError> {
     let pose = |x: f64, y: f64, angle: f64| Pose {
         position: [x, y, 0.0].into(),
-        orientation: Orientation::Angle(angle),
+        orientation: Orientation::Radians(angle),
     };
     Scene::new(
         [squirmer; 2],
@@ -60,7 +60,7 @@ pub(super) fn refused(rows: &mut Rows) -> Result<(), CompareError> {
             pair(plain, None, None, bad).is_ok(),
         );
         for angle in [
-            Orientation::Angle(bad),
+            Orientation::Radians(bad),
             Orientation::Vector([bad, 0.0, 1.0].into()),
         ] {
             let mut start = pair(plain, None, None, 2.0)?.start;
@@ -168,7 +168,7 @@ pub(super) fn extremes(model: &Model, rows: &mut Rows) -> Result<(), CompareErro
             let finite = positions
                 .iter()
                 .flat_map(|p| p.iter())
-                .chain(&run.end.angles)
+                .chain(&run.end.angles_rad)
                 .all(|v| v.is_finite());
             if !finite || run.end_time.is_nan() {
                 wrong.push(what.to_owned());

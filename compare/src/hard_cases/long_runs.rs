@@ -45,11 +45,11 @@ fn orbit(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareError> 
     let half = 0.5 * state.gap.distance();
     let pose = |x: f64, angle: f64| Pose {
         position: [x, 0.0, 0.0].into(),
-        orientation: Orientation::Angle(angle),
+        orientation: Orientation::Radians(angle),
     };
     let start = [
-        pose(-half, state.angles[0]),
-        pose(half, PI + state.angles[1]),
+        pose(-half, state.angles_rad[0]),
+        pose(half, PI + state.angles_rad[1]),
     ];
     let scene = Scene::new([squirmer; 2], start, Some(Repulsion::PAPER), None)?;
     let plan = Plan::new(&scene)?.without_symmetry();
@@ -59,13 +59,13 @@ fn orbit(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareError> 
     let why = "steps x tolerance x (1 + |y|), and the fixed point's 1e-11 a time";
     let bound = stepping_error(&spatial, TOLERANCE) + 1e-11 * TIME;
     let held = at_rest(&spatial, state.growth());
-    let turns = planar.end.line_angle / (2.0 * PI);
+    let turns = planar.end.line_angle_rad / (2.0 * PI);
     let of = |what: &str| format!("orbit, beta {beta}, {turns:.0} turns: {what}");
     rows.add(
         name,
         of("angle of the line, integrated, off the closed form"),
         (bound, why),
-        (spatial.end.line_angle - planar.end.line_angle).abs(),
+        (spatial.end.line_angle_rad - planar.end.line_angle_rad).abs(),
     );
     rows.add(
         name,
@@ -77,7 +77,7 @@ fn orbit(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareError> 
     rows.add(
         name,
         of("midpoint off the closed form"),
-        (bound * (1.0 + state.speed / state.turning), why),
+        (bound * (1.0 + state.speed / state.turning_rate_rad), why),
         closed.norm(),
     );
     rows.add(
@@ -167,10 +167,13 @@ fn rest(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         minima += usize::from(sample.t < 50.0 && a > b && now >= b);
         last = [b, now];
         if (20.0..50.0).contains(&sample.t) {
-            swings.push([now, c.angles[0]]);
+            swings.push([now, c.angles_rad[0]]);
         }
-        let line = c.line_angle.abs() + c.midpoint.x.abs();
-        crooked = larger(crooked, (c.angles[0] + c.angles[1] - PI).abs() + line);
+        let line = c.line_angle_rad.abs() + c.midpoint.x.abs();
+        crooked = larger(
+            crooked,
+            (c.angles_rad[0] + c.angles_rad[1] - PI).abs() + line,
+        );
     })?;
     let of = |what: &str| format!("bottom-heavy pair after {minima} swings by t = 50: {what}");
     rows.add(
@@ -187,7 +190,7 @@ fn rest(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         (least, most) = (least.min(run.end.gap.ln()), larger(most, run.end.gap.ln()));
     }
     let size = 1.0 - least;
-    let oval = oval(&swings, [run.end.gap.ln(), run.end.angles[0]], size);
+    let oval = oval(&swings, [run.end.gap.ln(), run.end.angles_rad[0]], size);
     let why = "twice sqrt(6) tolerance x (1 + |ln eps|) x 2.0103, the most that is left by a step that is accepted, x the ratio of its swings' axes squared";
     rows.add(
         name,

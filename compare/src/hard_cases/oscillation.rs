@@ -68,7 +68,7 @@ const SWINGS: [Swing; 3] = [
         methods: &[Method::Exact],
         pair: bottom_heavy(5.0, 3.0),
         start: (0.5, 0.5),
-        phase: |c| c.line_angle,
+        phase: |c| c.line_angle_rad,
         mirrored: false,
     },
     Swing {
@@ -76,7 +76,7 @@ const SWINGS: [Swing; 3] = [
         methods: &[Method::Lt, Method::LtCorrected],
         pair: bottom_heavy(-5.0, 1.0),
         start: (1.2, 1.3),
-        phase: |c| c.line_angle.sin(),
+        phase: |c| c.line_angle_rad.sin(),
         mirrored: false,
     },
 ];
@@ -129,7 +129,7 @@ impl Swing {
                 "too few to tell a period",
             ));
         }
-        let answer = self.answer(model, &cycle, found.run.end.line_angle)?;
+        let answer = self.answer(model, &cycle, found.run.end.line_angle_rad)?;
         let period = (truth.times[count - 1] - truth.times[0]) / (count - 1) as f64;
         let of = |what: &str| format!("{}, period {period:.4}: {what}", self.what);
         let shift = |run: &Run, tolerance: f64| {
@@ -224,20 +224,20 @@ impl Swing {
         let half = 1.0 + 0.5 * (c.gap.ln() + ln_gap).exp();
         let at = c.line.y.atan2(c.line.x) + line;
         let relative = |angle: f64| {
-            let off = angle - c.line_angle;
+            let off = angle - c.line_angle_rad;
             off - TAU * (off / TAU).round()
         };
-        let second = at + PI + relative(c.angles[1] - PI) + two;
+        let second = at + PI + relative(c.angles_rad[1] - PI) + two;
         let first = if self.mirrored {
             // The image of the second, to the last bit.
             -(second - PI)
         } else {
-            at + relative(c.angles[0]) + one
+            at + relative(c.angles_rad[0]) + one
         };
         let along = Vector3::new(at.cos(), at.sin(), 0.0) * half;
         let pose = |position: Vector3<f64>, angle: f64| Pose {
             position,
-            orientation: Orientation::Angle(angle),
+            orientation: Orientation::Radians(angle),
         };
         let squirmer = Squirmer::with_beta(1.0, self.pair.beta)?.bottom_heavy(self.pair.g)?;
         Ok(Scene::new(
@@ -270,8 +270,11 @@ impl Swing {
             if last[1].1 < 0.0 && last[2].1 >= 0.0 && last[0].1.is_finite() {
                 times.push(last[1].0 + INTERVAL * zero(last.map(|(_, value)| value)));
             }
-            let line = c.line_angle.abs() + c.midpoint.x.abs();
-            crooked = larger(crooked, (c.angles[0] + c.angles[1] - PI).abs() + line);
+            let line = c.line_angle_rad.abs() + c.midpoint.x.abs();
+            crooked = larger(
+                crooked,
+                (c.angles_rad[0] + c.angles_rad[1] - PI).abs() + line,
+            );
         })?;
         Ok(Passages {
             times,
@@ -282,7 +285,12 @@ impl Swing {
 
     /// `A`: how much later or earlier all passages come for a change of the state, over its size as the
     /// tolerance measures it; the largest over the cycle.
-    fn answer(&self, model: &Model, cycle: &Cycle, line_angle: f64) -> Result<f64, CompareError> {
+    fn answer(
+        &self,
+        model: &Model,
+        cycle: &Cycle,
+        line_angle_rad: f64,
+    ) -> Result<f64, CompareError> {
         let time = (PERIODS * cycle.period).max(FOLLOWED);
         // Of mirror images the line does not turn, and what the second does the first does too.
         let variables: &[usize] = if self.mirrored {
@@ -304,7 +312,7 @@ impl Swing {
                 let shift = (passages(moved)?.iter().zip(&truth))
                     .map(|(a, b)| (a - b).abs() / DISPLACED)
                     .fold(0.0, larger);
-                let size = [at.gap.ln(), line_angle, PI, PI][variable];
+                let size = [at.gap.ln(), line_angle_rad, PI, PI][variable];
                 sum += ((1.0 + size.abs()) * shift).powi(2);
             }
             Ok(sum.sqrt())

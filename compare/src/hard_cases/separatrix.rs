@@ -122,14 +122,14 @@ fn order(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
             dz: 0.0,
         }
         .scene()?;
-        let truth = model.run(&scene, &until(TIME, 1e-14))?.deflections()[0];
+        let truth = model.run(&scene, &until(TIME, 1e-14))?.deflections_rad()[0];
         let mut points = Vec::new();
         for half_decade in 8..=20 {
             let run = model.run(
                 &scene,
                 &until(TIME, 10f64.powf(-0.5 * f64::from(half_decade))),
             )?;
-            let error = (run.deflections()[0] - truth).abs();
+            let error = (run.deflections_rad()[0] - truth).abs();
             points.push(((run.counters.steps as f64).ln(), larger(error, 1e-15).ln()));
         }
         let why = "steps of order 8; 7 for the dense output that locates events";

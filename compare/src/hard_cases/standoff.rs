@@ -34,8 +34,8 @@ fn symmetric(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareErr
     .scene(1.0, 1.0)?;
     let plan = Plan::new(&scene)?.without_symmetry();
     let run = model.run_observed(&plan, &until(200.0, 1e-8), &mut |_| {})?;
-    let [one, two] = run.end.angles;
-    let tilt = one.abs() + (two - PI).abs() + run.end.line_angle.abs();
+    let [one, two] = run.end.angles_rad;
+    let tilt = one.abs() + (two - PI).abs() + run.end.line_angle_rad.abs();
     let why = (
         0.0,
         "the balance uses sums and differences only, and the angles' sines are zero",
@@ -84,8 +84,9 @@ fn tipped(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let name = model.method().name();
     let squirmer = Squirmer::with_beta(1.0, BETA)?;
     let states = bound_states(model as &dyn Hydrodynamics, &squirmer, Repulsion::PAPER)?;
-    let facing =
-        |s: &&BoundState| s.outcome == Outcome::Standoff && s.angles.iter().all(|a| a.abs() < 1e-3);
+    let facing = |s: &&BoundState| {
+        s.outcome == Outcome::Standoff && s.angles_rad.iter().all(|a| a.abs() < 1e-3)
+    };
     let Some(state) = states.iter().find(facing) else {
         rows.add(name, "standoffs found", (0.0, "there is one"), f64::NAN);
         return Ok(());
@@ -136,7 +137,7 @@ fn growth(
     let half = 0.5 * state.gap.distance();
     let pose = |x: f64, angle: f64| Pose {
         position: [x, 0.0, 0.0].into(),
-        orientation: Orientation::Angle(angle),
+        orientation: Orientation::Radians(angle),
     };
     let start = [pose(-half, TILT), pose(half, PI + sign * TILT)];
     let scene = Scene::new([squirmer; 2], start, Some(Repulsion::PAPER), None)?;
@@ -151,7 +152,10 @@ fn growth(
     let mut left = options.end_time;
     model.run_observed(&plan, &options, &mut |sample| {
         let c = &sample.configuration;
-        let [one, two] = [c.angles[0] - c.line_angle, c.angles[1] - PI - c.line_angle];
+        let [one, two] = [
+            c.angles_rad[0] - c.line_angle_rad,
+            c.angles_rad[1] - PI - c.line_angle_rad,
+        ];
         let tilt = 0.5 * (one + sign * two).abs();
         if tilt > TO && !over {
             (over, left) = (true, sample.t);

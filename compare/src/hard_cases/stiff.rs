@@ -53,7 +53,7 @@ fn pair(
     let half = 1.0 + 0.5 * eps;
     let pose = |x: f64, angle: f64| Pose {
         position: [x, 0.0, 0.0].into(),
-        orientation: Orientation::Angle(angle),
+        orientation: Orientation::Radians(angle),
     };
     let start = [pose(-half, angles[0]), pose(half, angles[1])];
     Ok(Scene::new([squirmer; 2], start, repulsion, gravity)?)
@@ -154,8 +154,8 @@ fn there_and_back(
         let c = &run.end;
         [
             c.gap.ln(),
-            c.angles[0] - c.line_angle,
-            c.angles[1] - c.line_angle,
+            c.angles_rad[0] - c.line_angle_rad,
+            c.angles_rad[1] - c.line_angle_rad,
         ]
     };
     let start = [0.05_f64.ln(), ANGLES[0], ANGLES[1]];
@@ -196,7 +196,7 @@ fn gravity(model: &Model, g: f64, what: &str, rows: &mut Rows) -> Result<(), Com
     let run = model.run(&scene, &until(time, TOLERANCE))?;
     let rate = g / (8.0 * PI);
     let mut off = 0.0_f64;
-    for (start, end) in run.start.angles.into_iter().zip(run.end.angles) {
+    for (start, end) in run.start.angles_rad.into_iter().zip(run.end.angles_rad) {
         let before = start - FRAC_PI_2;
         let after = 2.0 * ((before / 2.0).tan() * (-rate * time).exp()).atan();
         off = larger(off, (end - FRAC_PI_2 - after).abs());
@@ -244,7 +244,7 @@ fn no_swimming(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     )?;
     let run = model.run(&scene, &until(200.0, TOLERANCE))?;
     let turned = run
-        .deflections()
+        .deflections_rad()
         .into_iter()
         .fold(0.0, |most, d| larger(most, d.abs()));
     rows.add(
@@ -274,7 +274,7 @@ fn no_swimming(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
             .positions()
             .iter()
             .flatten()
-            .chain(&run.end.angles)
+            .chain(&run.end.angles_rad)
             .all(|v| v.is_finite());
         rows.add(
             name,

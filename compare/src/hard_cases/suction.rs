@@ -34,7 +34,7 @@ fn mirror_pair(eps: f64, beta: f64, angle: f64) -> Result<Scene, CompareError> {
     let half = 1.0 + 0.5 * eps;
     let pose = |x: f64, angle: f64| Pose {
         position: [x, 0.0, 0.0].into(),
-        orientation: Orientation::Angle(angle),
+        orientation: Orientation::Radians(angle),
     };
     let start = [pose(-half, angle), pose(half, std::f64::consts::PI - angle)];
     Ok(Scene::new([squirmer; 2], start, None, None)?)

@@ -37,7 +37,7 @@ pub struct BoundRow {
 
 impl BoundRow {
     fn of(method: Method, beta: f64, state: &BoundState) -> Self {
-        let [angle1_deg, angle2_deg] = state.angles.map(f64::to_degrees);
+        let [angle1_deg, angle2_deg] = state.angles_rad.map(f64::to_degrees);
         Self {
             method: method.name().to_owned(),
             beta,
@@ -45,7 +45,7 @@ impl BoundRow {
             gap: state.gap.eps(),
             angle1_deg,
             angle2_deg,
-            turning: state.turning,
+            turning: state.turning_rate_rad,
             speed: state.speed,
             growth: state.growth(),
             frequency: state.eigenvalues[0].im.abs(),

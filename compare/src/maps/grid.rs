@@ -76,7 +76,7 @@ impl Pair {
         let squirmer = Squirmer::with_beta(1.0, self.beta)?.bottom_heavy(self.g)?;
         let pose = |side: f64, angle: f64| Pose {
             position: [side * HALF_DISTANCE, 0.0, -side * 0.5 * self.dz].into(),
-            orientation: Orientation::Angle(angle),
+            orientation: Orientation::Radians(angle),
         };
         let second = FRAC_PI_2 * (sigma + delta);
         // The mirror image of the second, to the last bit where Sigma = 1.

@@ -46,7 +46,8 @@ pub fn scatter_row(
 ) -> ScatterRow {
     let run = (pair.scene(delta, sigma)).and_then(|scene| model.run(&scene, options));
     let run = run.as_ref().ok();
-    let deflection = |k: usize| run.map_or(f64::NAN, |run| run.deflections()[k].to_degrees() + 0.0);
+    let deflection =
+        |k: usize| run.map_or(f64::NAN, |run| run.deflections_rad()[k].to_degrees() + 0.0);
     ScatterRow {
         method: model.method().name().to_owned(),
         beta: pair.beta,

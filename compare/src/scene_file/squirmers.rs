@@ -1,6 +1,5 @@
 //! The two squirmers of a scene file.
 
-use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 
 use scene::{MAX_MODES, Orientation, Pose, Squirmer};
@@ -89,8 +88,7 @@ fn orientation(table: &mut Table<'_, '_>, notes: &mut Notes<'_>) -> Option<Orien
         return None;
     };
     if let Some(degrees) = number(entry.value) {
-        // Quarter turns are exact.
-        return Some(Orientation::Angle(degrees / 90.0 * FRAC_PI_2));
+        return Some(Orientation::from_degrees(degrees));
     }
     if entry.value.as_array().is_none() {
         let allowed = "give an angle in degrees, or a vector of two or three numbers";

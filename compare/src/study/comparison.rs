@@ -54,7 +54,7 @@ fn comparison_row(encounters: &[Encounter], case: &Case, k: usize) -> Comparison
     };
     let angle = |method: Method| {
         let run = of(method).and_then(|encounter| encounter.run.as_ref().ok());
-        run.map_or(f64::NAN, |run| run.deflections()[k].to_degrees())
+        run.map_or(f64::NAN, |run| run.deflections_rad()[k].to_degrees())
     };
     let outcome = |method: Method| of(method).map_or("–".to_owned(), Encounter::outcome);
     let exact = angle(Method::Exact);

@@ -24,11 +24,11 @@ pub struct BoundState {
     /// Gap, in radii.
     pub gap: Gap,
     /// Orientations, in radians, anticlockwise from the direction to the other squirmer.
-    pub angles: [f64; 2],
+    pub angles_rad: [f64; 2],
     /// What it is.
     pub outcome: Outcome,
     /// Rate at which the line of centres turns, in radians over `a/V_s`, anticlockwise.
-    pub turning: f64,
+    pub turning_rate_rad: f64,
     /// Speed of the midpoint, in `V_s`.
     pub speed: f64,
     /// Eigenvalues of the Jacobian of gap and orientations, in `V_s/a`, by falling real part.
@@ -148,9 +148,9 @@ fn bound_state_near<H: Hydrodynamics + ?Sized>(
     eigenvalues.sort_by(|a, b| b.re.total_cmp(&a.re));
     Some(BoundState {
         gap: Gap::from_ln(y[gap]),
-        angles,
+        angles_rad: angles,
         outcome: judge_rates(turning, speed),
-        turning,
+        turning_rate_rad: turning,
         speed,
         eigenvalues,
     })
@@ -189,7 +189,7 @@ fn same(a: &BoundState, b: &BoundState) -> bool {
     let neutral = a.is_neutral() && b.is_neutral();
     // Newton's method finds a neutral one less well.
     let close = if neutral { SAME_IF_NEUTRAL } else { SAME };
-    let apart = |i: usize| wrapped(a.angles[i] - b.angles[i]).abs();
+    let apart = |i: usize| wrapped(a.angles_rad[i] - b.angles_rad[i]).abs();
     (neutral && a.outcome == b.outcome)
         || ((a.gap.ln() - b.gap.ln()).abs() < close && apart(0) < close && apart(1) < close)
 }

@@ -17,9 +17,9 @@ pub struct Configuration {
     /// Unit orientations.
     pub orientations: [Vector3<f64>; 2],
     /// Angle of `line`'s projection on the x-y plane, in radians; it winds.
-    pub line_angle: f64,
+    pub line_angle_rad: f64,
     /// Angles of the orientations' projections on the x-y plane, in radians; they wind.
-    pub angles: [f64; 2],
+    pub angles_rad: [f64; 2],
 }
 
 impl Configuration {
@@ -59,7 +59,7 @@ pub(crate) fn start(scene: &Scene) -> Result<Configuration, SceneError> {
         midpoint: (one.position + two.position) * 0.5,
         line,
         orientations: [one.orientation.vector()?, two.orientation.vector()?],
-        line_angle: line.y.atan2(line.x),
-        angles: [one.orientation.angle(), two.orientation.angle()],
+        line_angle_rad: line.y.atan2(line.x),
+        angles_rad: [one.orientation.angle_rad(), two.orientation.angle_rad()],
     })
 }

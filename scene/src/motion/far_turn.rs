@@ -36,7 +36,7 @@ pub(super) fn turned_to_infinity(
         );
         end.orientations[k] = q;
         // The turn of the projection on the x-y plane.
-        end.angles[k] += (p.x * q.y - p.y * q.x).atan2(p.x * q.x + p.y * q.y);
+        end.angles_rad[k] += (p.x * q.y - p.y * q.x).atan2(p.x * q.x + p.y * q.y);
     }
     Some(end)
 }
@@ -121,13 +121,13 @@ mod tests {
     fn headings_at_an_angle_turn_as_one_over_the_distance_squared_and_opposed_ones_as_its_cube() {
         let (beta, alpha, r0) = (5.0, 0.7_f64, 50.0);
         let pair = [Squirmer::with_beta(1.0, beta).unwrap(); 2];
-        let at = |angles: [f64; 2], line_angle: f64| Configuration {
+        let at = |angles: [f64; 2], line_angle_rad: f64| Configuration {
             gap: Gap::new(r0 - 2.0).unwrap(),
             midpoint: Vector3::zeros(),
-            line: Vector3::new(line_angle.cos(), line_angle.sin(), 0.0),
+            line: Vector3::new(line_angle_rad.cos(), line_angle_rad.sin(), 0.0),
             orientations: angles.map(|a| Vector3::new(a.cos(), a.sin(), 0.0)),
-            line_angle,
-            angles,
+            line_angle_rad,
+            angles_rad: angles,
         };
         // Outgoing headings 2 alpha apart, symmetric about y, on paths from one point.
         let half_pi = std::f64::consts::FRAC_PI_2;
@@ -135,12 +135,12 @@ mod tests {
         let end = turned_to_infinity(&pair, &start).unwrap();
         let expected = 9.0 * beta / 16.0 * alpha.cos() / (r0 * r0);
         assert_relative_eq!(
-            end.angles[0] - start.angles[0],
+            end.angles_rad[0] - start.angles_rad[0],
             expected,
             max_relative = 1e-12
         );
         assert_relative_eq!(
-            end.angles[1] - start.angles[1],
+            end.angles_rad[1] - start.angles_rad[1],
             -expected,
             max_relative = 1e-12
         );
@@ -150,7 +150,7 @@ mod tests {
         let end = turned_to_infinity(&pair, &start).unwrap();
         let expected = 3.0 * beta / 8.0 * b / (r0 * r0 * r0);
         assert_relative_eq!(
-            (end.angles[0] - start.angles[0]).abs(),
+            (end.angles_rad[0] - start.angles_rad[0]).abs(),
             expected,
             max_relative = 1e-3
         );
@@ -164,8 +164,8 @@ mod tests {
             midpoint: Vector3::zeros(),
             line: Vector3::x(),
             orientations: [Vector3::y(); 2],
-            line_angle: 0.0,
-            angles: [1.0; 2],
+            line_angle_rad: 0.0,
+            angles_rad: [1.0; 2],
         };
         assert_eq!(turned_to_infinity(&pair, &start), None);
     }

@@ -1,135 +1,12 @@
-//! Flight of squirmers that do not interact, in closed form.
-//!
-//! A lone squirmer swims along `p` at `V_s` while gravity turns `p` towards `-g` with the rate
-//! `k sin(angle to -g)`, `k = V_s G_bh/(8 pi)` (the paper's Eq. 12). With `h` half the angle,
-//! `tan h(t) = tan h(0) exp(-k t)`, and the displacement follows by integration.
+//! Flight of squirmers that do not interact, in closed form: when a pair meets, and how near it comes.
 
-use std::f64::consts::FRAC_PI_2;
+mod lone;
 
 use nalgebra::Vector3;
 
+use self::lone::Flight;
 use super::configuration::{Configuration, unwind};
 use crate::{Gap, Gravity, SceneError, Squirmer};
-
-/// One squirmer's free flight from time 0.
-#[derive(Clone, Copy, Debug)]
-struct Flight {
-    position: Vector3<f64>,
-    orientation: Vector3<f64>,
-    speed: f64,
-    turning: Option<Turning>,
-}
-
-/// How gravity turns it: `up`, the perpendicular to it in the plane of `p`, sine and cosine of
-/// half the angle between `p` and `up`, and the rate `k`.
-#[derive(Clone, Copy, Debug)]
-struct Turning {
-    up: Vector3<f64>,
-    side: Vector3<f64>,
-    sin_half: f64,
-    cos_half: f64,
-    rate: f64,
-}
-
-impl Flight {
-    fn new(
-        squirmer: &Squirmer,
-        position: Vector3<f64>,
-        orientation: Vector3<f64>,
-        gravity: Option<Gravity>,
-    ) -> Self {
-        let turning = gravity.and_then(|gravity| {
-            let rate = squirmer.gravity_torque() / 8.0;
-            let up = -gravity.direction();
-            let level = orientation - up * orientation.dot(&up);
-            let sine = level.norm();
-            // Exactly up or down: nothing turns it.
-            (rate != 0.0 && sine > 0.0).then(|| {
-                let half = 0.5 * sine.atan2(orientation.dot(&up));
-                Turning {
-                    up,
-                    side: level / sine,
-                    sin_half: half.sin(),
-                    cos_half: half.cos(),
-                    rate,
-                }
-            })
-        });
-        Self {
-            position,
-            orientation,
-            speed: squirmer.swimming_speed(),
-            turning,
-        }
-    }
-
-    /// Position and orientation after the time `t`.
-    fn at(&self, t: f64) -> (Vector3<f64>, Vector3<f64>) {
-        let Some(turning) = &self.turning else {
-            return (
-                self.position + self.orientation * (self.speed * t),
-                self.orientation,
-            );
-        };
-        let Turning {
-            up,
-            side,
-            sin_half: s,
-            cos_half: c,
-            rate,
-        } = *turning;
-        let kt = rate * t;
-        let lost = -(-kt).exp_m1(); // 1 - exp(-kt)
-        let kept = 1.0 - lost;
-        // Angle turned through, without cancellation when it is small.
-        let turned = 2.0 * (s * c * lost).atan2(c * c + s * s * kept);
-        let rise = if kt < 1.0 {
-            (c * c * kt.exp_m1() - s * s * lost).ln_1p()
-        } else {
-            kt + (c * c + s * s * kept * kept).ln()
-        };
-        let angle = 2.0 * (s * kept).atan2(c);
-        let scale = self.speed / rate;
-        (
-            self.position + side * (scale * turned) + up * (scale * rise),
-            side * angle.sin() + up * angle.cos(),
-        )
-    }
-
-    /// Acceleration after the time `t`, `|V k| sin(angle to up)`, and a bound on it from then on: gravity that rights a
-    /// squirmer makes that angle smaller, so that within a right angle the acceleration only falls.
-    fn acceleration(&self, t: f64) -> (f64, f64) {
-        self.turning.map_or((0.0, 0.0), |turning| {
-            let most = (self.speed * turning.rate).abs();
-            let angle =
-                2.0 * (turning.sin_half * (-turning.rate * t).exp()).atan2(turning.cos_half);
-            let now = most * angle.sin().abs();
-            if turning.rate > 0.0 && angle <= FRAC_PI_2 {
-                (now, now)
-            } else {
-                (now, most)
-            }
-        })
-    }
-
-    /// Bound on how far the path after the time `t` strays from straight flight upward: that of
-    /// `p` from up is `2 sin h`, at most `2 tan h(0) exp(-k t)`, integrated to the end of time.
-    fn strays(&self, t: f64) -> f64 {
-        self.turning.map_or(f64::INFINITY, |turning| {
-            let Turning {
-                sin_half,
-                cos_half,
-                rate,
-                ..
-            } = turning;
-            if rate > 0.0 && cos_half > 0.0 {
-                2.0 * (self.speed / rate).abs() * (sin_half / cos_half) * (-rate * t).exp()
-            } else {
-                f64::INFINITY
-            }
-        })
-    }
-}
 
 /// Free flight of a pair from a configuration.
 #[derive(Clone, Copy, Debug)]
@@ -157,10 +34,10 @@ impl PairFlight {
         let distance = separation.norm();
         let line = separation / distance;
         let turned = |k: usize, p: Vector3<f64>| {
-            if self.flights[k].turning.is_none() {
-                self.start.angles[k]
+            if self.flights[k].is_straight() {
+                self.start.angles_rad[k]
             } else {
-                unwind(p.y.atan2(p.x), self.start.angles[k])
+                unwind(p.y.atan2(p.x), self.start.angles_rad[k])
             }
         };
         Configuration {
@@ -169,8 +46,8 @@ impl PairFlight {
             midpoint: (x1 + x2) * 0.5,
             line,
             orientations: [p1, p2],
-            line_angle: unwind(line.y.atan2(line.x), self.start.line_angle),
-            angles: [turned(0, p1), turned(1, p2)],
+            line_angle_rad: unwind(line.y.atan2(line.x), self.start.line_angle_rad),
+            angles_rad: [turned(0, p1), turned(1, p2)],
         }
     }
 
@@ -185,7 +62,7 @@ impl PairFlight {
 
     /// Whether the two fly straight, so that once receding they recede for ever.
     pub(crate) fn is_straight(&self) -> bool {
-        self.flights.iter().all(|flight| flight.turning.is_none())
+        self.flights.iter().all(Flight::is_straight)
     }
 
     /// Whether straight paths only touch: closing in at this `rate`, the two would go deeper by no
@@ -216,7 +93,7 @@ impl PairFlight {
     /// two that swim upward side by side, is in contact when it closes in in earnest.
     ///
     /// # Errors
-    /// [`SceneError::Stepper`] if `most` advances do not settle it: gravity that turns squirmers by far
+    /// [`SceneError::TooManyAdvances`] if `most` advances do not settle it: gravity that turns squirmers by far
     /// faster than they swim.
     pub(crate) fn contact(
         &self,
@@ -277,9 +154,7 @@ impl PairFlight {
             };
             t += advance.max(least).max(creep);
         }
-        Err(SceneError::Stepper {
-            reason: format!("{most} advances of a free flight end {t} after its start"),
-        })
+        Err(SceneError::TooManyAdvances { advances: most, t })
     }
 
     /// Time within `duration` at which the two are nearest.
@@ -327,27 +202,6 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// Fourth-order Runge-Kutta on the equations that the closed form solves.
-    fn integrated(squirmer: &Squirmer, p: Vector3<f64>, t: f64) -> (Vector3<f64>, Vector3<f64>) {
-        let rate = squirmer.gravity_torque() / 8.0;
-        let turn = |p: Vector3<f64>| (p.cross(&Gravity::DOWN.direction()) * -rate).cross(&p);
-        let (mut x, mut p) = (Vector3::zeros(), p);
-        let steps = 4000;
-        let h = t / f64::from(steps);
-        for _ in 0..steps {
-            let k1 = turn(p);
-            let p2 = p + k1 * (h / 2.0);
-            let k2 = turn(p2);
-            let p3 = p + k2 * (h / 2.0);
-            let k3 = turn(p3);
-            let p4 = p + k3 * h;
-            let k4 = turn(p4);
-            x += (p + (p2 + p3) * 2.0 + p4) * (h / 6.0 * squirmer.swimming_speed());
-            p += (k1 + (k2 + k3) * 2.0 + k4) * (h / 6.0);
-        }
-        (x, p)
-    }
-
     #[test]
     fn paths_that_only_touch_do_not_meet() {
         let squirmer = Squirmer::with_beta(1.0, 0.0).unwrap();
@@ -362,8 +216,8 @@ mod tests {
                 midpoint: Vector3::zeros(),
                 line: Vector3::y(),
                 orientations: [Vector3::y(); 2],
-                line_angle: 0.0,
-                angles: [0.0; 2],
+                line_angle_rad: 0.0,
+                angles_rad: [0.0; 2],
             };
             PairFlight { start, flights }
                 .contact(3.0, 100.0, 1000)
@@ -388,27 +242,10 @@ mod tests {
             midpoint: Vector3::zeros(),
             line: Vector3::x(),
             orientations: [Vector3::y(); 2],
-            line_angle: 0.0,
-            angles: [0.0; 2],
+            line_angle_rad: 0.0,
+            angles_rad: [0.0; 2],
         };
         let flight = PairFlight { start, flights };
         assert_eq!(flight.contact(3.0, 200.0, 1_000_000), Ok(None));
-    }
-
-    #[test]
-    fn val_flight_under_gravity_solves_its_equation_of_motion() {
-        for (g_bh, t) in [(10.0, 3.0), (1e-6, 50.0), (300.0, 2.0), (-4.0, 5.0)] {
-            let squirmer = Squirmer::with_beta(1.0, 1.0)
-                .and_then(|s| s.bottom_heavy(g_bh))
-                .unwrap();
-            for angle in [-1.5, -0.3, 0.0, 1.2, 2.9] {
-                let p = Vector3::new(f64::cos(angle), f64::sin(angle), 0.0);
-                let flight = Flight::new(&squirmer, Vector3::zeros(), p, Some(Gravity::DOWN));
-                let (x, q) = flight.at(t);
-                let (x_expected, q_expected) = integrated(&squirmer, p, t);
-                assert_relative_eq!(x, x_expected, epsilon = 1e-9);
-                assert_relative_eq!(q, q_expected, epsilon = 1e-9);
-            }
-        }
     }
 }

@@ -94,7 +94,7 @@ pub(crate) const AT_REST: f64 = 1e-7;
 
 /// Judges a pair in a steady state from two configurations, `duration` apart.
 pub(crate) fn judge_steady(earlier: &Configuration, end: &Configuration, duration: f64) -> Outcome {
-    let turning = (end.line_angle - earlier.line_angle) / duration;
+    let turning = (end.line_angle_rad - earlier.line_angle_rad) / duration;
     let speed = (end.midpoint - earlier.midpoint).norm() / duration;
     judge_rates(turning, speed)
 }
@@ -121,7 +121,7 @@ pub(crate) fn judge_bound(
     duration: f64,
     speed: f64,
 ) -> Outcome {
-    let turned = end.line_angle - earlier.line_angle;
+    let turned = end.line_angle_rad - earlier.line_angle_rad;
     let drift = (end.midpoint - earlier.midpoint).norm();
     if end.gap.eps() > 1.0 {
         Outcome::Undecided
@@ -221,8 +221,8 @@ impl LineHistory {
         if now.gap.eps() > BOUND_GAP {
             return None;
         }
-        let mut history = history.unwrap_or(Self::new(now.line_angle));
-        history.take(now.line_angle);
+        let mut history = history.unwrap_or(Self::new(now.line_angle_rad));
+        history.take(now.line_angle_rad);
         Some(history)
     }
 
@@ -295,7 +295,7 @@ pub(crate) fn judge_under_gravity(
             Outcome::Undecided
         };
     };
-    let turned = (end.line_angle - earlier.line_angle).abs();
+    let turned = (end.line_angle_rad - earlier.line_angle_rad).abs();
     let gap_oscillates = gap.minima >= OSCILLATIONS && gap.most - gap.least > SETTLED;
     if turned > ORBIT_ANGLE && line.orbits() {
         return if line.turned() > 0.0 {
@@ -360,8 +360,8 @@ mod tests {
             midpoint: nalgebra::Vector3::zeros(),
             line: nalgebra::Vector3::x(),
             orientations: [nalgebra::Vector3::y(); 2],
-            line_angle: 0.0,
-            angles: [0.5 * std::f64::consts::PI; 2],
+            line_angle_rad: 0.0,
+            angles_rad: [0.5 * std::f64::consts::PI; 2],
         };
         let swimmer = Squirmer::with_beta(1.0, 0.0).expect("a squirmer");
         let heavy = swimmer.bottom_heavy(10.0).expect("a squirmer");

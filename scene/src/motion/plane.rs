@@ -100,15 +100,15 @@ impl Plane {
             let v = self.axes.tr_mul(v);
             unwind(v.y.atan2(v.x), projected - self.node)
         };
-        let line_angle = angle(&c.line, c.line_angle);
-        let angles = [0, 1].map(|k| angle(&c.orientations[k], c.angles[k]));
+        let line_angle_rad = angle(&c.line, c.line_angle_rad);
+        let angles = [0, 1].map(|k| angle(&c.orientations[k], c.angles_rad[k]));
         Configuration {
             gap: c.gap,
             midpoint: self.axes.tr_mul(&(c.midpoint - self.origin)),
-            line: direction(line_angle),
+            line: direction(line_angle_rad),
             orientations: angles.map(direction),
-            line_angle,
-            angles,
+            line_angle_rad,
+            angles_rad: angles,
         }
     }
 
@@ -122,8 +122,8 @@ impl Plane {
             midpoint: self.origin + self.axes * c.midpoint,
             line,
             orientations,
-            line_angle: angle(&line, c.line_angle),
-            angles: [0, 1].map(|k| angle(&orientations[k], c.angles[k])),
+            line_angle_rad: angle(&line, c.line_angle_rad),
+            angles_rad: [0, 1].map(|k| angle(&orientations[k], c.angles_rad[k])),
         }
     }
 
@@ -205,17 +205,19 @@ mod tests {
                     midpoint: Vector3::new(0.3, -0.7, 0.0),
                     line: direction(winding),
                     orientations: angles.map(direction),
-                    line_angle: winding,
-                    angles,
+                    line_angle_rad: winding,
+                    angles_rad: angles,
                 };
                 let outside = plane.outside(&inside);
                 let again = plane.within(&outside);
                 let close = |a: f64, b: f64| (a - b).abs() < 1e-14 * (1.0 + b.abs());
                 assert!((again.midpoint - inside.midpoint).norm() < 1e-15);
-                assert!(close(again.line_angle, winding), "{normal:?} {i}");
-                assert!(close(again.angles[0], angles[0]) && close(again.angles[1], angles[1]));
+                assert!(close(again.line_angle_rad, winding), "{normal:?} {i}");
+                assert!(
+                    close(again.angles_rad[0], angles[0]) && close(again.angles_rad[1], angles[1])
+                );
                 // A projection is never ahead of or behind what it is the projection of by a quarter turn.
-                let ahead = outside.line_angle - plane.node - winding;
+                let ahead = outside.line_angle_rad - plane.node - winding;
                 assert!(ahead.abs() < FRAC_PI_2 + 1e-12, "{normal:?} {i}");
             }
         }

@@ -105,7 +105,7 @@ pub struct Run {
     pub outgoing: Configuration,
     /// Estimate of how far the directions in [`Self::outgoing`] are from their limit at infinity, in radians; infinite if
     /// the pair does not recede for good. Zero where nothing is cut off.
-    pub truncation: f64,
+    pub truncation_rad: f64,
     /// Time at the end.
     pub end_time: f64,
     /// Smallest gap on the way, in radii.
@@ -131,9 +131,9 @@ impl Run {
     /// gravity, otherwise at the end of the run. A run that ends in contact, or where its model ceases to resolve the gap, has no
     /// outgoing angle: NaN.
     #[must_use]
-    pub fn deflections(&self) -> [f64; 2] {
+    pub fn deflections_rad(&self) -> [f64; 2] {
         if self.has_outgoing_angles() {
-            [0, 1].map(|k| self.outgoing.angles[k] - self.start.angles[k])
+            [0, 1].map(|k| self.outgoing.angles_rad[k] - self.start.angles_rad[k])
         } else {
             [f64::NAN; 2]
         }

@@ -5,16 +5,17 @@
 //! without a cut is one integration. Departure, the crossing of `eps = 1` and the smallest gap are
 //! located, not stepped over.
 
+mod flight;
 mod follow;
 mod outgoing;
 
+use self::flight::Flown;
 use self::outgoing::Outgoing;
 use super::configuration::Configuration;
 use super::coordinates::Coordinates;
 use super::dispatch::{Task, dispatch};
 use super::equations::{Effect, PairMotion};
 use super::floor::Floor;
-use super::free_flight::PairFlight;
 use super::outcome::{Outcome, Righting, judge_steady};
 use super::recorder::Recorder;
 use super::result::{Counters, Run, RunOptions, Sample};
@@ -198,7 +199,7 @@ where
             start: self.start,
             end: self.now,
             outgoing: outgoing.configuration,
-            truncation: outgoing.truncation,
+            truncation_rad: outgoing.truncation_rad,
             end_time: self.t,
             min_gap: self.min_gap,
             contact_time: self.contact_time,
@@ -238,7 +239,8 @@ where
     fn run_with_cutoff(&mut self, cutoff: f64) -> Result<Outcome, SceneError> {
         let cut = Gap::from_ln(cutoff.ln());
         let mut free = self.now.gap.eps() >= cutoff;
-        for _ in 0..MAX_PHASES.min(self.options.max_steps) {
+        let most = MAX_PHASES.min(self.options.max_steps);
+        for _ in 0..most {
             if free {
                 match self.fly(cut)? {
                     Flown::Contact if cut.eps() <= 0.0 => return Ok(Outcome::Contact),
@@ -255,8 +257,9 @@ where
             }
             self.recorder.record(self.t, self.now);
         }
-        Err(SceneError::Stepper {
-            reason: format!("no end to contacts and flights at t = {}", self.t),
+        Err(SceneError::TooManyPhases {
+            phases: most,
+            t: self.t,
         })
     }
 
@@ -268,43 +271,6 @@ where
             .map(|s| s.swimming_speed().abs());
         self.watch
             .judge_bound(self.t, &self.now, speeds.fold(0.0, f64::max))
-    }
-
-    /// Flies freely to the next contact at the gap `cut`, or to the end.
-    fn fly(&mut self, cut: Gap) -> Result<Flown, SceneError> {
-        self.counters.flights += 1;
-        let squirmers = &self.motion.squirmers;
-        let flight = PairFlight::new(squirmers, self.motion.gravity.get(), self.now);
-        let coordinates = self.motion.coordinates;
-        let flown = |t: f64| coordinates.restored(flight.at(t));
-        let left = self.options.end_time - self.t;
-        let contact = flight.contact(cut.distance(), left, self.options.max_steps)?;
-        let nearest = flight.closest_approach(contact.unwrap_or(left));
-        self.min_gap = self.min_gap.min(flight.distance(nearest).0 - 2.0);
-        // A straight pair that misses has parted when it begins to recede; one that keeps its distance never does.
-        let keeps = flight.keeps_distance();
-        let parted = contact.is_none() && flight.is_straight() && nearest < left && !keeps;
-        let duration = contact.unwrap_or(if parted { nearest } else { left });
-        let end = self.t + duration;
-        let from = self.t;
-        self.recorder.record_between(end, |t| flown(t - from));
-        if !flight.is_straight() || keeps {
-            self.watch.look_at_flight(self.t, &flight, duration);
-        }
-        if contact != Some(0.0) {
-            self.now = flown(duration);
-        }
-        self.t = end;
-        self.watch.look_at(self.t, &self.now);
-        Ok(if contact.is_some() {
-            self.now.gap = cut;
-            self.min_gap = self.min_gap.min(cut.eps());
-            Flown::Contact
-        } else if parted {
-            Flown::Parted
-        } else {
-            Flown::Time
-        })
     }
 
     /// Integrates until the pair recedes through `parting`, or to the end time.
@@ -390,15 +356,7 @@ where
 
     /// The stepper's error, or the model's that caused it.
     fn failure(&mut self, error: OdeError) -> SceneError {
-        self.motion.failure.take().unwrap_or(SceneError::Stepper {
-            reason: error.to_string(),
-        })
+        let failure = self.motion.failure.take();
+        failure.unwrap_or(SceneError::Stepper { source: error })
     }
-}
-
-/// How a free flight ended.
-enum Flown {
-    Contact,
-    Parted,
-    Time,
 }

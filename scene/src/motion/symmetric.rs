@@ -28,7 +28,7 @@ pub(crate) struct PointSymmetric {
 
 impl PointSymmetric {
     pub(super) fn new(start: &Configuration) -> Self {
-        let [one, two] = start.angles;
+        let [one, two] = start.angles_rad;
         Self {
             midpoint: start.midpoint,
             ahead: PI + TAU * ((two - one - PI) / TAU).round(),
@@ -45,7 +45,11 @@ impl Coordinates<3> for PointSymmetric {
     });
 
     fn encode(&self, c: &Configuration) -> [f64; 3] {
-        [c.line_angle, c.gap.ln(), c.angles[0] - c.line_angle]
+        [
+            c.line_angle_rad,
+            c.gap.ln(),
+            c.angles_rad[0] - c.line_angle_rad,
+        ]
     }
 
     fn decode(&self, y: &[f64; 3], _previous: &Configuration) -> Configuration {
@@ -55,8 +59,8 @@ impl Coordinates<3> for PointSymmetric {
             midpoint: self.midpoint,
             line: direction(theta),
             orientations: [direction(theta + alpha); 2],
-            line_angle: theta,
-            angles: [theta + alpha; 2],
+            line_angle_rad: theta,
+            angles_rad: [theta + alpha; 2],
         })
     }
 
@@ -106,7 +110,7 @@ impl Coordinates<3> for PointSymmetric {
         Configuration {
             midpoint: self.midpoint,
             orientations: [one, -one],
-            angles: [c.angles[0], c.angles[0] + self.ahead],
+            angles_rad: [c.angles_rad[0], c.angles_rad[0] + self.ahead],
             ..c
         }
     }
@@ -119,19 +123,19 @@ impl Coordinates<3> for PointSymmetric {
 pub(crate) struct MirrorSymmetric {
     midpoint: Vector3<f64>,
     line: Vector3<f64>,
-    line_angle: f64,
+    line_angle_rad: f64,
     /// Sum of the two orientations' angles.
     sum: f64,
 }
 
 impl MirrorSymmetric {
     pub(super) fn new(start: &Configuration) -> Self {
-        let [one, two] = start.angles;
+        let [one, two] = start.angles_rad;
         Self {
             midpoint: start.midpoint,
             line: start.line,
-            line_angle: start.line_angle,
-            sum: unwind(2.0 * start.line_angle + PI, one + two),
+            line_angle_rad: start.line_angle_rad,
+            sum: unwind(2.0 * start.line_angle_rad + PI, one + two),
         }
     }
 }
@@ -146,18 +150,18 @@ impl Coordinates<3> for MirrorSymmetric {
 
     fn encode(&self, c: &Configuration) -> [f64; 3] {
         let along = (c.midpoint - self.midpoint).dot(&across(self.line));
-        [along, c.gap.ln(), c.angles[0] - self.line_angle]
+        [along, c.gap.ln(), c.angles_rad[0] - self.line_angle_rad]
     }
 
     fn decode(&self, y: &[f64; 3], _previous: &Configuration) -> Configuration {
-        let angle = self.line_angle + y[2];
+        let angle = self.line_angle_rad + y[2];
         self.restored(Configuration {
             gap: Gap::from_ln(y[1]),
             midpoint: self.midpoint + across(self.line) * y[0],
             line: self.line,
             orientations: [direction(angle); 2],
-            line_angle: self.line_angle,
-            angles: [angle; 2],
+            line_angle_rad: self.line_angle_rad,
+            angles_rad: [angle; 2],
         })
     }
 
@@ -201,7 +205,7 @@ impl Coordinates<3> for MirrorSymmetric {
     }
 
     fn rates(&self, y: &[f64; 3], dy: &[f64; 3]) -> Rates {
-        let turned = across(direction(self.line_angle + y[2])) * dy[2];
+        let turned = across(direction(self.line_angle_rad + y[2])) * dy[2];
         Rates {
             midpoint: across(self.line) * dy[0],
             line: Vector3::zeros(),
@@ -216,9 +220,9 @@ impl Coordinates<3> for MirrorSymmetric {
         Configuration {
             midpoint: self.midpoint + along * (c.midpoint - self.midpoint).dot(&along),
             line: self.line,
-            line_angle: self.line_angle,
+            line_angle_rad: self.line_angle_rad,
             orientations: [one, one - self.line * (2.0 * one.dot(&self.line))],
-            angles: [c.angles[0], self.sum - c.angles[0]],
+            angles_rad: [c.angles_rad[0], self.sum - c.angles_rad[0]],
             ..c
         }
     }

@@ -52,6 +52,7 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> System<N> for F {
 
 /// Why an integration cannot start or go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum OdeError {
     /// A tolerance that is not a positive finite number.
     #[error("tolerance {tol:e} is not allowed: it must be positive and finite")]

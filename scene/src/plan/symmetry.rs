@@ -32,7 +32,7 @@ fn is_level(scene: &Scene, gravity: Option<Gravity>) -> bool {
     #[expect(clippy::float_cmp, reason = "level means exactly level")]
     let level = one.position.z == two.position.z;
     let flat = |orientation: Orientation| match orientation {
-        Orientation::Angle(_) => true,
+        Orientation::Radians(_) => true,
         Orientation::Vector(v) => v.z == 0.0,
     };
     level
@@ -84,22 +84,22 @@ fn is_axisymmetric(scene: &Scene, start: &Configuration) -> bool {
         .all(|k| match scene.start[k].orientation {
             Orientation::Vector(v) => parallel(&v),
             // The sine of pi is not zero in floating-point numbers: half turns are counted.
-            Orientation::Angle(angle) => {
-                separation.z == 0.0 && (angle - start.line_angle) % PI == 0.0
+            Orientation::Radians(angle) => {
+                separation.z == 0.0 && (angle - start.line_angle_rad) % PI == 0.0
             }
         })
 }
 
 /// Whether the second orientation is opposed to the first.
 fn is_point_symmetric(start: &Configuration, rounding: f64) -> bool {
-    let [one, two] = start.angles;
+    let [one, two] = start.angles_rad;
     same_direction(two, one + PI, one, rounding)
 }
 
 /// Whether the second orientation is the image of the first in the mirror between the two.
 fn is_mirror_symmetric(start: &Configuration, rounding: f64) -> bool {
-    let [one, two] = start.angles;
-    same_direction(two, 2.0 * start.line_angle + PI - one, one, rounding)
+    let [one, two] = start.angles_rad;
+    same_direction(two, 2.0 * start.line_angle_rad + PI - one, one, rounding)
 }
 
 /// Whether two angles differ by whole turns and no more than the last bit of the largest of the three
@@ -123,7 +123,7 @@ mod tests {
     fn scene(positions: [[f64; 3]; 2], angles: [f64; 2], betas: [f64; 2]) -> Scene {
         let start = [0, 1].map(|k| Pose {
             position: positions[k].into(),
-            orientation: Orientation::Angle(angles[k]),
+            orientation: Orientation::Radians(angles[k]),
         });
         let squirmers = betas.map(|beta| {
             let squirmer = Squirmer::with_beta(1.0, beta).unwrap();

@@ -220,7 +220,7 @@ fn scene() -> Scene {
     let squirmer = || Squirmer::with_beta(1.0, 5.0).unwrap();
     let pose = |x: f64| Pose {
         position: [x, 0.0, 0.0].into(),
-        orientation: Orientation::Angle(0.0),
+        orientation: Orientation::Radians(0.0),
     };
     Scene::new(
         [squirmer(), squirmer()],

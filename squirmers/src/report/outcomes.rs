@@ -68,7 +68,7 @@ struct ExampleRow {
 impl ExampleRow {
     fn of(example: &PanelRun) -> Self {
         let run = example.run.as_ref().ok();
-        let deflection = |k: usize| run.map_or(f64::NAN, |r| r.deflections()[k].to_degrees());
+        let deflection = |k: usize| run.map_or(f64::NAN, |r| r.deflections_rad()[k].to_degrees());
         Self {
             panel: example.case.panel.clone(),
             method: example.method.name(),

@@ -28,7 +28,7 @@ const ORDER: f64 = 4.0;
 pub(super) struct Outgoing {
     pub configuration: Configuration,
     /// Estimate of the turn still to come, in radians.
-    pub truncation: f64,
+    pub truncation_rad: f64,
 }
 
 impl Outgoing {
@@ -36,7 +36,7 @@ impl Outgoing {
     pub fn at_end(configuration: Configuration) -> Self {
         Self {
             configuration,
-            truncation: 0.0,
+            truncation_rad: 0.0,
         }
     }
 }
@@ -82,7 +82,7 @@ where
             if step.dy1[C::LN_GAP] < 0.0 && step.y1[C::LN_GAP] <= self.now.gap.ln() {
                 break Outgoing {
                     configuration: limit.reached,
-                    truncation: f64::INFINITY,
+                    truncation_rad: f64::INFINITY,
                 };
             }
             previous = self.motion.coordinates.decode(&step.y1, &previous);
@@ -102,7 +102,7 @@ where
         let turned = turned_to_infinity(&self.motion.squirmers, &configuration);
         Outgoing {
             configuration,
-            truncation: turned.map_or(f64::INFINITY, |turned| apart(&configuration, &turned)),
+            truncation_rad: turned.map_or(f64::INFINITY, |turned| apart(&configuration, &turned)),
         }
     }
 }
@@ -154,13 +154,13 @@ impl Limit {
         if change >= change_before {
             return Some(Outgoing {
                 configuration: before,
-                truncation: change_before,
+                truncation_rad: change_before,
             });
         }
         self.doublings += 1;
         (change <= KNOWN || self.doublings == MOST_DOUBLINGS).then_some(Outgoing {
             configuration: next,
-            truncation: change / (ORDER - 1.0),
+            truncation_rad: change / (ORDER - 1.0),
         })
     }
 }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::ode::tableau::{ROWS, STAGE_13, STAGE_14, STAGE_15};
 
 /// Kepler orbit of eccentricity 0.1 with unit semi-major axis: period `2 pi`.
 fn kepler(_: f64, y: &[f64; 4]) -> [f64; 4] {

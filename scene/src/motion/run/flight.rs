@@ -1,0 +1,59 @@
+//! Free flight from one contact to the next, in one jump.
+
+use super::Runner;
+use crate::motion::coordinates::Coordinates;
+use crate::motion::equations::Effect;
+use crate::motion::free_flight::PairFlight;
+use crate::{Gap, Gravity, Hydrodynamics, Repulsion, SceneError};
+
+/// How a free flight ended.
+pub(super) enum Flown {
+    Contact,
+    Parted,
+    Time,
+}
+
+impl<H, C, R, G, const N: usize> Runner<'_, '_, H, C, R, G, N>
+where
+    H: Hydrodynamics + ?Sized,
+    C: Coordinates<N>,
+    R: Effect<Repulsion>,
+    G: Effect<Gravity>,
+{
+    /// Flies freely to the next contact at the gap `cut`, or to the end.
+    pub(super) fn fly(&mut self, cut: Gap) -> Result<Flown, SceneError> {
+        self.counters.flights += 1;
+        let squirmers = &self.motion.squirmers;
+        let flight = PairFlight::new(squirmers, self.motion.gravity.get(), self.now);
+        let coordinates = self.motion.coordinates;
+        let flown = |t: f64| coordinates.restored(flight.at(t));
+        let left = self.options.end_time - self.t;
+        let contact = flight.contact(cut.distance(), left, self.options.max_steps)?;
+        let nearest = flight.closest_approach(contact.unwrap_or(left));
+        self.min_gap = self.min_gap.min(flight.distance(nearest).0 - 2.0);
+        // A straight pair that misses has parted when it begins to recede; one that keeps its distance never does.
+        let keeps = flight.keeps_distance();
+        let parted = contact.is_none() && flight.is_straight() && nearest < left && !keeps;
+        let duration = contact.unwrap_or(if parted { nearest } else { left });
+        let end = self.t + duration;
+        let from = self.t;
+        self.recorder.record_between(end, |t| flown(t - from));
+        if !flight.is_straight() || keeps {
+            self.watch.look_at_flight(self.t, &flight, duration);
+        }
+        if contact != Some(0.0) {
+            self.now = flown(duration);
+        }
+        self.t = end;
+        self.watch.look_at(self.t, &self.now);
+        Ok(if contact.is_some() {
+            self.now.gap = cut;
+            self.min_gap = self.min_gap.min(cut.eps());
+            Flown::Contact
+        } else if parted {
+            Flown::Parted
+        } else {
+            Flown::Time
+        })
+    }
+}
