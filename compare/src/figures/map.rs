@@ -153,7 +153,7 @@ pub fn scatter(rows: &[ScatterRow]) -> Result<String, FigureError> {
     let cells = (rows.iter()).map(|row| Quantity::Time.cell(row, colour(row.tau)));
     let title = "Interaction time τ".to_owned();
     draw(&mut canvas, corner(2), title, side, cells)?;
-    let title = "a/Vs; the same above";
+    let title = "a/Vs (top: ≥ 30)";
     heat::bar(&mut canvas, beside(2), side, &(0.0..LONGEST), colour, title);
     let cells = rows.iter().map(|row| MapCell {
         fill: outcome_fill(row.outcome()),

@@ -19,7 +19,7 @@ pub(crate) enum Key {
 pub(crate) type Entry = (Key, String);
 
 /// Length of a legend's symbol, the room after it, and the room after a whole entry.
-const KEY: f64 = 34.0;
+const KEY: f64 = 29.0;
 const KEY_ROOM: f64 = 8.0;
 const ENTRY_ROOM: f64 = 24.0;
 const ENTRY_HEIGHT: f64 = 22.0;
@@ -84,9 +84,9 @@ impl Canvas {
             }
             Key::Dot => self.dot(middle, INK),
             Key::Sphere => self.sphere(middle, 9.0, INK),
-            Key::Arrow(colour) => self.arrow((x + 6.0, y), (1.0, 0.0), 22.0, colour),
+            Key::Arrow(colour) => self.arrow((x + 4.0, y), (1.0, 0.0), 22.0, colour),
             Key::Patch(fill) => {
-                let (corner, size) = ((x + 10.0, y - 7.0), (22.0, 14.0));
+                let (corner, size) = ((x + KEY - 22.0, y - 7.0), (22.0, 14.0));
                 self.patch(corner, size, fill);
                 self.frame(corner, size, 0.5);
             }

@@ -2,6 +2,7 @@
 //!
 //! Lengths are in pixels, x to the right and y downward from the upper left corner.
 
+mod axes;
 mod fill;
 mod legend;
 mod marks;
@@ -12,9 +13,10 @@ use maud::{Markup, html};
 
 use super::style::{INK, WHITE};
 
+pub(super) use axes::{Axes, Axis};
 pub(super) use fill::{Map, MapCell, whole_side};
 pub(super) use legend::{Entry, Key, legend_height};
-pub(super) use panel::{Axes, Axis, Panel};
+pub(super) use panel::Panel;
 
 /// Size of tick labels, legends and axis titles; of the titles of panels, and of the picture's.
 pub(super) const TEXT: f64 = 12.0;
@@ -22,7 +24,7 @@ const PANEL_TEXT: f64 = 13.0;
 const TITLE_TEXT: f64 = 16.0;
 
 /// Room for the tick labels and the title of the y axis, left of a plot.
-pub(super) const LEFT: f64 = 66.0;
+pub(super) const LEFT: f64 = 70.0;
 
 /// Room for the tick labels and the title of the x axis, below a plot.
 pub(super) const BELOW: f64 = 50.0;
@@ -36,14 +38,17 @@ pub(super) const RIGHT: f64 = 16.0;
 /// Height of the picture's title.
 pub(super) const TITLE: f64 = 36.0;
 
+/// Estimated width of a character as a share of a text's size: there is no font to measure.
+const CHARACTER: f64 = 0.55;
+
 /// A length as SVG writes it, to two decimals.
 fn px(length: f64) -> String {
     ((length * 100.0).round() / 100.0 + 0.0).to_string()
 }
 
-/// Estimated width of a text: there is no font to measure.
+/// Estimated width of a text.
 fn text_width(text: &str, size: f64) -> f64 {
-    0.55 * size * text.chars().count() as f64
+    CHARACTER * size * text.chars().count() as f64
 }
 
 /// How a text lies about its point.
@@ -155,5 +160,28 @@ impl Canvas {
     fn fitted(&mut self, text: &str, at: (f64, f64), size: f64, anchor: Anchor, room: f64) {
         let shrunk = size * (room / text_width(text, size)).min(1.0);
         self.text(text, at, shrunk, anchor);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_are_escaped() {
+        let svg = Canvas::new("a < \"b\" & c", (400.0, 100.0), &[]).finish();
+        assert!(
+            svg.contains("aria-label=\"a &lt; &quot;b&quot; &amp; c\""),
+            "{svg}"
+        );
+        assert!(!svg.contains("< \"b"), "{svg}");
+    }
+
+    #[test]
+    fn a_title_that_is_longer_than_the_sheet_is_smaller() {
+        for (length, size) in [(20, "font-size=\"16\""), (80, "font-size=\"6.64\"")] {
+            let svg = Canvas::new(&"x".repeat(length), (300.0, 100.0), &[]).finish();
+            assert!(svg.contains(size), "{svg}");
+        }
     }
 }

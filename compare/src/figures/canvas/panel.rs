@@ -1,83 +1,26 @@
-//! A panel: its axes, and what lies between them, in their units, as far as the panel shows it.
+//! What lies between the axes of a panel, in their units, as far as the panel shows it.
 
-use std::ops::Range;
-
-use maud::html;
-
-use super::ticks::{Scale, Ticks};
-use super::{ABOVE, Anchor, BELOW, Canvas, LEFT, Map, PANEL_TEXT, RIGHT, TEXT, px, text_width};
-use crate::figures::range::sound;
-use crate::figures::style::{Colour, Dash, Fill, INK, MESH, Shape, Stroke, WHITE};
+use super::{Anchor, Axes, Axis, Canvas, Map, TEXT, text_width};
+use crate::figures::style::{Colour, Dash, Fill, INK, Shape, Stroke, WHITE};
 
 /// What an empty panel says.
 const NO_DATA: &str = "no data";
 
-/// Length of a tick, and the room between it and its label, or between two labels.
-const TICK: f64 = 4.0;
-const GAP: f64 = 4.0;
-
-/// Middle of an axis title, from the outer edge of its room.
-const AXIS_TITLE: f64 = 8.0;
-
-/// What is shown along x or y.
-#[derive(Clone)]
-pub(crate) struct Axis {
-    range: Range<f64>,
-    /// Name and unit: `name (unit)`.
-    title: &'static str,
-    /// Most ticks.
-    most: usize,
-    scale: Scale,
-}
-
-impl Axis {
-    pub(crate) fn new(range: &Range<f64>, title: &'static str, most: usize) -> Self {
-        let (range, scale) = (sound(range), Scale::Linear);
-        Self {
-            range,
-            title,
-            most,
-            scale,
-        }
-    }
-
-    /// An axis of powers of ten: its range is that of the logarithms.
-    pub(crate) fn powers(range: &Range<f64>, title: &'static str, most: usize) -> Self {
-        let scale = Scale::Powers;
-        Self {
-            scale,
-            ..Self::new(range, title, most)
-        }
-    }
-
-    /// Share of the axis that lies before a value.
-    fn share(&self, value: f64) -> f64 {
-        (value - self.range.start) / (self.range.end - self.range.start)
-    }
-}
-
-/// What a panel shows.
-pub(crate) struct Axes {
-    pub title: String,
-    pub x: Axis,
-    pub y: Axis,
-}
-
 /// A plot in a picture: axes, and what lies between them.
 pub(crate) struct Panel<'c> {
-    canvas: &'c mut Canvas,
-    x: Axis,
-    y: Axis,
+    pub(super) canvas: &'c mut Canvas,
+    pub(super) x: Axis,
+    pub(super) y: Axis,
     /// Upper left corner and size of the plot.
-    corner: (f64, f64),
-    size: (f64, f64),
+    pub(super) corner: (f64, f64),
+    pub(super) size: (f64, f64),
     /// Whether anything of the data has been drawn.
     is_filled: bool,
 }
 
 impl Canvas {
-    /// A panel whose plot has its upper left corner at `corner` and the given size; [`LEFT`],
-    /// [`BELOW`] and [`ABOVE`] of it are for its titles and labels. Where `paint` draws nothing it says so.
+    /// A panel whose plot has its upper left corner at `corner` and the given size; its titles and labels are beside it.
+    /// Where `paint` draws nothing it says so.
     pub(crate) fn panel(
         &mut self,
         corner: (f64, f64),
@@ -103,46 +46,6 @@ impl Canvas {
 }
 
 impl Panel<'_> {
-    fn draw_axes(&mut self, title: &str) {
-        let ((left, top), (width, height)) = (self.corner, self.size);
-        let (foot, middle) = (top + height, left + 0.5 * width);
-        let across = |chars: usize, share: f64| 0.55 * TEXT * chars as f64 + GAP <= share * width;
-        let up = |_: usize, share: f64| TEXT <= share * height;
-        let along_x = Ticks::new(&self.x.range, self.x.most, self.x.scale, across);
-        let along_y = Ticks::new(&self.y.range, self.y.most, self.y.scale, up);
-        let (mut mesh, mut ticks) = (String::new(), String::new());
-        for (value, label) in along_x.values.iter().zip(&along_x.labels) {
-            let x = left + width * self.x.share(*value);
-            mesh += &format!("M{} {}v{}", px(x), px(foot), px(-height));
-            ticks += &format!("M{} {}v{}", px(x), px(foot), px(TICK));
-            let at = (x, foot + TICK + GAP + 0.5 * TEXT);
-            self.canvas.text(label, at, TEXT, Anchor::Middle);
-        }
-        for (value, label) in along_y.values.iter().zip(&along_y.labels) {
-            let y = foot - height * self.y.share(*value);
-            mesh += &format!("M{} {}h{}", px(left), px(y), px(width));
-            ticks += &format!("M{} {}h{}", px(left), px(y), px(-TICK));
-            let at = (left - TICK - GAP, y);
-            self.canvas.text(label, at, TEXT, Anchor::End);
-        }
-        self.canvas.draw(html! {
-            path d=(mesh) stroke=(MESH) {}
-            path d=(ticks) stroke=(INK) {}
-        });
-        self.canvas.frame(self.corner, self.size, 1.0);
-        let room = LEFT + width + RIGHT;
-        let at = (middle, top - 0.5 * ABOVE);
-        self.canvas
-            .fitted(title, at, PANEL_TEXT, Anchor::Middle, room);
-        let at = (middle, foot + BELOW - AXIS_TITLE);
-        let title = along_x.titled(self.x.title);
-        self.canvas.fitted(&title, at, TEXT, Anchor::Middle, room);
-        let at = (left - LEFT + AXIS_TITLE, top + 0.5 * height);
-        let title = along_y.titled(self.y.title);
-        self.canvas
-            .fitted(&title, at, TEXT, Anchor::Upright, ABOVE + height + BELOW);
-    }
-
     /// An empty frame is no answer: it might be a fault of the picture.
     fn say_no_data(&mut self) {
         let ((left, top), (width, height)) = (self.corner, self.size);

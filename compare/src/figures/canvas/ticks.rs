@@ -140,21 +140,19 @@ impl Ticks {
         let parts = title
             .strip_suffix(')')
             .and_then(|title| title.rsplit_once(" ("));
-        let (mut name, mut unit) = parts
-            .map_or((title.to_owned(), String::new()), |(name, unit)| {
-                (name.to_owned(), unit.to_owned())
-            });
-        if self.base != 0.0 {
-            let sign = if self.base < 0.0 { "+" } else { "\u{2212}" };
-            name += &format!(" {sign} {}", exact(self.base.abs()));
-        }
-        if self.power != 0 {
-            unit = format!("{} {unit}", raised(self.power));
-        }
-        if unit.is_empty() {
-            name
-        } else {
-            format!("{name} ({})", unit.trim_end())
+        let (name, unit) = parts.unwrap_or((title, ""));
+        let base = match self.base {
+            base if base < 0.0 => format!(" + {}", exact(-base)),
+            base if base > 0.0 => format!(" \u{2212} {}", exact(base)),
+            _ => String::new(),
+        };
+        let power = match self.power {
+            0 => String::new(),
+            power => raised(power),
+        };
+        match format!("{power} {unit}").trim() {
+            "" => format!("{name}{base}"),
+            unit => format!("{name}{base} ({unit})"),
         }
     }
 }

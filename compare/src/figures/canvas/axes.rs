@@ -1,0 +1,111 @@
+//! Axes of a panel: frame, mesh, ticks and titles.
+
+use std::ops::Range;
+
+use maud::html;
+
+use super::ticks::{LONGEST, Scale, Ticks};
+use super::{ABOVE, Anchor, BELOW, CHARACTER, LEFT, PANEL_TEXT, Panel, RIGHT, TEXT, px};
+use crate::figures::range::sound;
+use crate::figures::style::{INK, MESH};
+
+/// Length of a tick, and the room between it and its label, or between two labels.
+const TICK: f64 = 4.0;
+const GAP: f64 = 4.0;
+
+/// Middle of an axis title, from the outer edge of its room.
+const AXIS_TITLE: f64 = 9.0;
+
+/// The longest label stays clear of the title of the y axis.
+const _: () = {
+    let label = TICK + GAP + CHARACTER * TEXT * LONGEST as f64;
+    assert!(label + AXIS_TITLE + 0.5 * TEXT <= LEFT);
+};
+
+/// What is shown along x or y.
+#[derive(Clone)]
+pub(crate) struct Axis {
+    pub(super) range: Range<f64>,
+    /// Name and unit: `name (unit)`.
+    title: &'static str,
+    /// Most ticks.
+    most: usize,
+    scale: Scale,
+}
+
+impl Axis {
+    pub(crate) fn new(range: &Range<f64>, title: &'static str, most: usize) -> Self {
+        let (range, scale) = (sound(range), Scale::Linear);
+        Self {
+            range,
+            title,
+            most,
+            scale,
+        }
+    }
+
+    /// An axis of powers of ten: its range is that of the logarithms.
+    pub(crate) fn powers(range: &Range<f64>, title: &'static str, most: usize) -> Self {
+        let scale = Scale::Powers;
+        Self {
+            scale,
+            ..Self::new(range, title, most)
+        }
+    }
+
+    /// Share of the axis that lies before a value.
+    pub(super) fn share(&self, value: f64) -> f64 {
+        (value - self.range.start) / (self.range.end - self.range.start)
+    }
+}
+
+/// What a panel shows.
+pub(crate) struct Axes {
+    pub title: String,
+    pub x: Axis,
+    pub y: Axis,
+}
+
+impl Panel<'_> {
+    /// Draws the axes, and the title of the panel.
+    pub(super) fn draw_axes(&mut self, title: &str) {
+        let ((left, top), (width, height)) = (self.corner, self.size);
+        let (foot, middle) = (top + height, left + 0.5 * width);
+        let across =
+            |chars: usize, share: f64| CHARACTER * TEXT * chars as f64 + GAP <= share * width;
+        let up = |_: usize, share: f64| TEXT <= share * height;
+        let along_x = Ticks::new(&self.x.range, self.x.most, self.x.scale, across);
+        let along_y = Ticks::new(&self.y.range, self.y.most, self.y.scale, up);
+        let (mut mesh, mut ticks) = (String::new(), String::new());
+        for (value, label) in along_x.values.iter().zip(&along_x.labels) {
+            let x = left + width * self.x.share(*value);
+            mesh += &format!("M{} {}v{}", px(x), px(foot), px(-height));
+            ticks += &format!("M{} {}v{}", px(x), px(foot), px(TICK));
+            let at = (x, foot + TICK + GAP + 0.5 * TEXT);
+            self.canvas.text(label, at, TEXT, Anchor::Middle);
+        }
+        for (value, label) in along_y.values.iter().zip(&along_y.labels) {
+            let y = foot - height * self.y.share(*value);
+            mesh += &format!("M{} {}h{}", px(left), px(y), px(width));
+            ticks += &format!("M{} {}h{}", px(left), px(y), px(-TICK));
+            let at = (left - TICK - GAP, y);
+            self.canvas.text(label, at, TEXT, Anchor::End);
+        }
+        self.canvas.draw(html! {
+            path d=(mesh) stroke=(MESH) {}
+            path d=(ticks) stroke=(INK) {}
+        });
+        self.canvas.frame(self.corner, self.size, 1.0);
+        let room = LEFT + width + RIGHT;
+        let at = (middle, top - 0.5 * ABOVE);
+        self.canvas
+            .fitted(title, at, PANEL_TEXT, Anchor::Middle, room);
+        let at = (middle, foot + BELOW - AXIS_TITLE);
+        let title = along_x.titled(self.x.title);
+        self.canvas.fitted(&title, at, TEXT, Anchor::Middle, room);
+        let at = (left - LEFT + AXIS_TITLE, top + 0.5 * height);
+        let title = along_y.titled(self.y.title);
+        self.canvas
+            .fitted(&title, at, TEXT, Anchor::Upright, ABOVE + height + BELOW);
+    }
+}
