@@ -167,6 +167,10 @@ mod tests {
         for rising in [true, false] {
             let pieces = hatch((90.0, 90.0), rising, marked);
             assert!(pieces.len() >= 8, "{}", pieces.len());
+            for [from, to] in &pieces {
+                let falls = (to.0 - from.0) * (to.1 - from.1) > 0.0;
+                assert_ne!(falls, rising, "{from:?} {to:?}");
+            }
             for (x, y) in pieces.into_iter().flatten() {
                 let within = |v: f64, low: f64| (low - 1e-9..=low + 30.0 + 1e-9).contains(&v);
                 assert!(within(x, 60.0) && within(y, 0.0), "{x}, {y}");

@@ -93,3 +93,21 @@ impl Canvas {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_are_within_the_sheet_and_have_each_entry_once() {
+        let entry = |i: usize| (Key::Dot, "x".repeat(1 + i % 30));
+        let groups = [(0..40).map(entry).collect(), vec![], vec![entry(99)]];
+        let rows = legend_rows(&groups, 400.0);
+        assert_eq!(rows.iter().map(Vec::len).sum::<usize>(), 41);
+        assert_eq!(rows.last().map(Vec::len), Some(1), "a group of its own");
+        for row in rows {
+            let used: f64 = row.iter().copied().map(entry_width).sum();
+            assert!(!row.is_empty() && used - ENTRY_ROOM <= 400.0, "{used}");
+        }
+    }
+}

@@ -15,9 +15,8 @@ pub(super) enum Scale {
 /// Most characters of a label: longer ones leave a common power of ten, and then a common number, to the axis title.
 pub(super) const LONGEST: usize = 7;
 
-/// Numbers from here on have a common power of ten, and so have those with more decimals than these.
+/// Numbers from here on have a common power of ten.
 const LARGE: f64 = 1e6;
-const DECIMALS: i32 = 4;
 
 /// Slack of a count of ticks: an end of the range that is a tick but for rounding is one.
 const SLACK: f64 = 1e-6;
@@ -51,7 +50,7 @@ fn labels(ns: &[i64], base: i64, exponent: i32) -> (Vec<String>, i32) {
     let sizes = ns.iter().map(|n| value(n - base, exponent).abs());
     let size = sizes.fold(0.0, f64::max);
     let plain = without(0);
-    if size == 0.0 || (size < LARGE && exponent >= -DECIMALS && are_short(&plain)) {
+    if size == 0.0 || (size < LARGE && are_short(&plain)) {
         return (plain, 0);
     }
     // The logarithm of a whole power may lie below it by rounding.
@@ -83,21 +82,18 @@ impl Ticks {
             Scale::Powers => finest.max(0),
         };
         let steps = (finest..=finest + 3).flat_map(|exponent| [1, 2, 5].map(|n| (n, exponent)));
-        let all: Vec<(Self, f64)> = steps
-            .map(|(n, exponent)| {
-                (
-                    Self::at(range, n, exponent, scale),
-                    value(n, exponent) / extent,
-                )
-            })
-            .filter(|(ticks, _)| ticks.values.len() <= most)
+        let all: Vec<Self> = steps
+            .map(|(n, exponent)| Self::at(range, n, exponent, scale))
+            .filter(|ticks| ticks.values.len() <= most)
             .collect();
-        let mut several = all.iter().filter(|(ticks, _)| ticks.values.len() > 1);
-        let fitting = several
-            .clone()
-            .find(|(ticks, share)| fits(longest(&ticks.labels), *share));
+        let mut several = all.iter().filter(|ticks| ticks.values.len() > 1);
+        let has_room = |ticks: &&Self| {
+            let share = (ticks.values[1] - ticks.values[0]) / extent;
+            fits(longest(&ticks.labels), share)
+        };
+        let fitting = several.clone().find(has_room);
         let best = fitting.or(several.next_back()).or(all.first());
-        best.map(|(ticks, _)| ticks.clone()).unwrap_or_default()
+        best.cloned().unwrap_or_default()
     }
 
     /// Ticks at the multiples of `step * 10^exponent`.
@@ -115,23 +111,17 @@ impl Ticks {
                 ..Self::default()
             };
         }
-        let (plain, power) = labels(&ns, 0, exponent);
-        match ns.first() {
-            Some(&first) if !are_short(&plain) => {
-                let (labels, power) = labels(&ns, first, exponent);
-                Self {
-                    values,
-                    labels,
-                    base: value(first, exponent),
-                    power,
-                }
-            }
-            _ => Self {
-                values,
-                labels: plain,
-                base: 0.0,
-                power,
-            },
+        let mut base = 0;
+        let (mut texts, mut power) = labels(&ns, base, exponent);
+        if !are_short(&texts) {
+            base = ns.first().copied().unwrap_or(0);
+            (texts, power) = labels(&ns, base, exponent);
+        }
+        Self {
+            values,
+            labels: texts,
+            base: value(base, exponent),
+            power,
         }
     }
 
