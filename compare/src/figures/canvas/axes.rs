@@ -5,7 +5,7 @@ use std::ops::Range;
 use maud::html;
 
 use super::ticks::{LONGEST, Scale, Ticks};
-use super::{ABOVE, Anchor, BELOW, CHARACTER, LEFT, PANEL_TEXT, Panel, RIGHT, TEXT, px};
+use super::{ABOVE, Anchor, BELOW, CHARACTER, EDGE, LEFT, PANEL_TEXT, Panel, RIGHT, TEXT, px};
 use crate::figures::range::sound;
 use crate::figures::style::{INK, MESH};
 
@@ -16,10 +16,11 @@ const GAP: f64 = 4.0;
 /// Middle of an axis title, from the outer edge of its room.
 const AXIS_TITLE: f64 = 9.0;
 
-/// The longest label stays clear of the title of the y axis.
+/// The longest label stays clear of the title of the y axis, and within the sheet at the end of the x axis.
 const _: () = {
-    let label = TICK + GAP + CHARACTER * TEXT * LONGEST as f64;
-    assert!(label + AXIS_TITLE + 0.5 * TEXT <= LEFT);
+    let label = CHARACTER * TEXT * LONGEST as f64;
+    assert!(TICK + GAP + label + AXIS_TITLE + 0.5 * TEXT <= LEFT);
+    assert!(0.5 * label <= RIGHT + EDGE);
 };
 
 /// What is shown along x or y.

@@ -9,7 +9,7 @@ mod marks;
 mod panel;
 mod ticks;
 
-use maud::{Markup, html};
+use maud::{Markup, PreEscaped, html};
 
 use super::style::{INK, WHITE};
 
@@ -34,6 +34,9 @@ pub(super) const ABOVE: f64 = 30.0;
 
 /// Room right of a plot.
 pub(super) const RIGHT: f64 = 16.0;
+
+/// More room right of all: half of a label at the end of an axis.
+const EDGE: f64 = 8.0;
 
 /// Height of the picture's title.
 pub(super) const TITLE: f64 = 36.0;
@@ -100,36 +103,41 @@ impl Layout {
 
 /// A picture in the making.
 pub(super) struct Canvas {
+    title: String,
+    width: f64,
+    height: f64,
     markup: String,
 }
 
 impl Canvas {
     /// A sheet under a `title`, which also names it to readers that cannot see it: of the given size, and a legend below.
     pub(super) fn new(title: &str, (width, top): (f64, f64), legend: &[Vec<Entry>]) -> Self {
-        let (width, height) = (width.round(), (top + legend_height(legend, width)).round());
-        let view = format!("0 0 {width} {height}");
-        let header = html! {
-            svg role="img" aria-label=(title) width=(width) height=(height) viewBox=(view)
-                xmlns="http://www.w3.org/2000/svg" font-family="sans-serif" {}
-        };
+        let width = (width + EDGE).round();
+        let height = (top + legend_height(legend, width)).round();
         let mut canvas = Self {
-            markup: header.0.replace("</svg>", "\n"),
+            title: title.to_owned(),
+            width,
+            height,
+            markup: "\n".to_owned(),
         };
         canvas.rectangle((0.0, 0.0), (width, height), WHITE);
-        canvas.fitted(
-            title,
-            (width / 2.0, TITLE / 2.0),
-            TITLE_TEXT,
-            Anchor::Middle,
-            width - 8.0,
-        );
+        let (middle, room) = ((0.5 * width, 0.5 * TITLE), width - 8.0);
+        canvas.fitted(title, middle, TITLE_TEXT, Anchor::Middle, room);
         canvas.legend(legend, top, width);
         canvas
     }
 
     /// The picture as SVG.
     pub(super) fn finish(self) -> String {
-        self.markup + "</svg>\n"
+        let (width, height) = (self.width, self.height);
+        let view = format!("0 0 {width} {height}");
+        let picture = html! {
+            svg role="img" aria-label=(self.title) width=(width) height=(height) viewBox=(view)
+                xmlns="http://www.w3.org/2000/svg" font-family="sans-serif" {
+                (PreEscaped(self.markup))
+            }
+        };
+        picture.0
     }
 
     /// Draws an element.
@@ -179,7 +187,7 @@ mod tests {
 
     #[test]
     fn a_title_that_is_longer_than_the_sheet_is_smaller() {
-        for (length, size) in [(20, "font-size=\"16\""), (80, "font-size=\"6.64\"")] {
+        for (length, size) in [(20, "font-size=\"16\""), (80, "font-size=\"6.82\"")] {
             let svg = Canvas::new(&"x".repeat(length), (300.0, 100.0), &[]).finish();
             assert!(svg.contains(size), "{svg}");
         }
