@@ -71,12 +71,12 @@ impl Fill {
 
     /// Whether its hatch has lines that rise, or fall, to the right.
     pub(super) fn has_lines(self, rising: bool) -> bool {
-        match self.hatch {
-            Hatch::Plain => false,
-            Hatch::Rising => rising,
-            Hatch::Falling => !rising,
-            Hatch::Crossed => true,
-        }
+        let along = if rising {
+            Hatch::Rising
+        } else {
+            Hatch::Falling
+        };
+        self.hatch == Hatch::Crossed || self.hatch == along
     }
 }
 
@@ -155,24 +155,14 @@ impl Shape {
         [Self::Circle, Self::Square, Self::Triangle, Self::Diamond][index % 4]
     }
 
-    /// Half the marker's size in nominal pixels. They differ, so that of markers at the same place
-    /// all are seen.
-    pub(super) fn size(self) -> f64 {
-        match self {
-            Self::Circle => 5.5,
-            Self::Square => 3.8,
-            Self::Triangle => 3.4,
-            Self::Diamond => 3.0,
-        }
-    }
-
-    /// Corners for the size 1; none for a circle.
+    /// Corners about a place, in pixels; none for a circle. The sizes differ, so that of markers at the same place all are
+    /// seen.
     pub(super) fn corners(self) -> &'static [(f64, f64)] {
         match self {
             Self::Circle => &[],
-            Self::Square => &[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)],
-            Self::Triangle => &[(0.0, -1.25), (1.1, 0.75), (-1.1, 0.75)],
-            Self::Diamond => &[(0.0, -1.3), (1.3, 0.0), (0.0, 1.3), (-1.3, 0.0)],
+            Self::Square => &[(-3.4, -3.4), (3.4, -3.4), (3.4, 3.4), (-3.4, 3.4)],
+            Self::Triangle => &[(0.0, -4.25), (3.75, 2.55), (-3.75, 2.55)],
+            Self::Diamond => &[(0.0, -3.9), (3.9, 0.0), (0.0, 3.9), (-3.9, 0.0)],
         }
     }
 }

@@ -84,7 +84,7 @@ impl Canvas {
             }
             Key::Dot => self.dot(middle, INK),
             Key::Sphere => self.sphere(middle, 9.0, INK),
-            Key::Arrow(colour) => self.arrow((x + 4.0, y), (1.0, 0.0), 22.0, colour),
+            Key::Arrow(colour) => self.arrow((x + 6.0, y), (1.0, 0.0), 17.0, colour),
             Key::Patch(fill) => {
                 let (corner, size) = ((x + KEY - 22.0, y - 7.0), (22.0, 14.0));
                 self.patch(corner, size, fill);

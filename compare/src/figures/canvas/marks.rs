@@ -24,6 +24,7 @@ impl Canvas {
         });
     }
 
+    /// A marker about a place, filled or hollow.
     pub(super) fn marker(&mut self, at: (f64, f64), colour: Colour, shape: Shape, filled: bool) {
         // A white edge keeps markers apart that share a colour and a place.
         let (fill, edge) = if filled {
@@ -31,13 +32,11 @@ impl Canvas {
         } else {
             (WHITE, colour)
         };
-        let (size, corners) = (shape.size(), shape.corners().iter());
-        let corners: Vec<_> = corners
-            .map(|(x, y)| (at.0 + x * size, at.1 + y * size))
-            .collect();
+        let corners = shape.corners().iter();
+        let corners: Vec<_> = corners.map(|(x, y)| (at.0 + x, at.1 + y)).collect();
         self.draw(html! {
             @if corners.is_empty() {
-                circle cx=(px(at.0)) cy=(px(at.1)) r=(size) fill=(fill) stroke=(edge) stroke-width="1.25" {}
+                circle cx=(px(at.0)) cy=(px(at.1)) r="5.5" fill=(fill) stroke=(edge) stroke-width="1.25" {}
             } @else {
                 polygon points=(listed(&corners)) fill=(fill) stroke=(edge) stroke-width="1.25" {}
             }
@@ -48,41 +47,29 @@ impl Canvas {
         self.draw(html! { circle cx=(px(x)) cy=(px(y)) r="2.6" fill=(colour) {} });
     }
 
+    /// A sphere seen from outside: what lies behind it shows through.
     pub(super) fn sphere(&mut self, (x, y): (f64, f64), radius: f64, colour: Colour) {
         self.draw(html! {
             circle cx=(px(x)) cy=(px(y)) r=(px(radius)) fill=(colour) fill-opacity="0.14" stroke=(colour) {}
         });
     }
 
-    /// An arrow of a length along a unit vector whose second component is upward.
+    /// An arrow of a length along a vector `(along, up)`: a unit vector, or shorter if it points out of the plane.
     pub(super) fn arrow(
         &mut self,
-        from: (f64, f64),
-        along: (f64, f64),
+        (x, y): (f64, f64),
+        (along, up): (f64, f64),
         length: f64,
         colour: Colour,
     ) {
-        self.headed_arrow(from, along, (length, 1.2), (7.0, 3.2), colour);
-    }
-
-    /// The same with a line's width, and the length of the head and half its width.
-    pub(super) fn headed_arrow(
-        &mut self,
-        from: (f64, f64),
-        (along, up): (f64, f64),
-        (length, width): (f64, f64),
-        head: (f64, f64),
-        colour: Colour,
-    ) {
-        let at = |forward: f64, aside: f64| {
-            let x = from.0 + forward * along - aside * up;
-            (x, from.1 - forward * up - aside * along)
+        // Shares of the length, forward and to the left.
+        let at = |forward: f64, left: f64| {
+            let (dx, dy) = (forward * along - left * up, forward * up + left * along);
+            (x + length * dx, y - length * dy)
         };
-        let foot = length - head.0;
-        // The line ends within the head: no seam shows.
-        let line = [from, at(foot + 0.3 * head.0, 0.0)];
-        self.line(&line, Stroke::new(colour, width, Dash::Solid));
-        let head = listed(&[at(length, 0.0), at(foot, head.1), at(foot, -head.1)]);
+        let stroke = Stroke::new(colour, 1.3, Dash::Solid);
+        self.line(&[(x, y), at(0.7, 0.0)], stroke);
+        let head = listed(&[at(1.0, 0.0), at(0.6, 0.19), at(0.6, -0.19)]);
         self.draw(html! { polygon points=(head) fill=(colour) {} });
     }
 

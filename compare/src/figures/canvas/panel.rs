@@ -194,7 +194,7 @@ impl Panel<'_> {
 
     /// An arrow downward with the letter g, in the corner of the plot that the points leave most free.
     pub(crate) fn gravity(&mut self, points: &[(f64, f64)]) {
-        const LENGTH: f64 = 30.0;
+        const LENGTH: f64 = 24.0;
         let (left, right) = (self.corner.0 + 24.0, self.corner.0 + self.size.0 - 24.0);
         let (top, low) = (
             self.corner.1 + 14.0,
@@ -219,10 +219,9 @@ impl Panel<'_> {
             return;
         }
         let radius = self.size.0 / (self.x.range.end - self.x.range.start);
-        let (at, head) = (self.place(centre), (0.35 * radius, 0.17 * radius));
+        let at = self.place(centre);
         self.canvas.sphere(at, radius, colour);
-        self.canvas
-            .headed_arrow(at, heading, (0.85 * radius, 1.5), head, colour);
+        self.canvas.arrow(at, heading, 0.85 * radius, colour);
     }
 }
 
