@@ -1,11 +1,9 @@
 //! Deflection against the offset of the paths (the paper's Fig. 6c): a curve for each method, and
 //! for each beta if there are several; a panel for each squirmer where the two differ.
 
-use super::canvas::{
-    ABOVE, Axes, BELOW, Entry, Key, LEFT, Panel, RIGHT, Stroke, TITLE, legend_height, picture,
-};
+use super::canvas::{Axes, Axis, Entry, Key, Layout, Panel};
 use super::range::padded;
-use super::style::{Dash, INK, Shape, colour};
+use super::style::{Dash, INK, Shape, Stroke, colour};
 use super::{FigureError, approach_title, distinct, methods, number, same};
 use compare::{Encounter, EncounterRow};
 
@@ -58,8 +56,6 @@ pub fn deflection(encounters: &[Encounter]) -> Result<String, FigureError> {
     } else {
         (400.0, 340.0)
     };
-    let cell = LEFT + plot.0 + RIGHT;
-    let width = cell * squirmers.len() as f64;
     let entry = |c: &Curve| (Key::MarkedLine(c.stroke, c.shape), c.label.clone());
     let mut legend: Vec<Vec<Entry>> = (curves.chunk_by(|a, b| a.shape == b.shape))
         .map(|of_method| of_method.iter().map(entry).collect())
@@ -71,31 +67,27 @@ pub fn deflection(encounters: &[Encounter]) -> Result<String, FigureError> {
     if curves.len() == methods(encounters.iter().map(|e| e.method)).len() {
         legend = vec![legend.concat()];
     }
-    let legend_top = TITLE + ABOVE + plot.1 + BELOW + 8.0;
-    let height = legend_top + legend_height(&legend, width);
+    let layout = Layout::new(plot, squirmers.len(), 1);
     let title = format!("Deflection, {}", approach_title(first).to_lowercase());
-    picture((width, height), &title, |canvas| {
-        for (column, &k) in squirmers.iter().enumerate() {
-            let axes = Axes {
-                title: if squirmers.len() == 1 {
-                    "Both squirmers".to_owned()
-                } else {
-                    format!("Squirmer {}", k + 1)
-                },
-                x: x.clone(),
-                y: y.clone(),
-                x_title: "offset of the paths, δx (radii a)",
-                y_title: "deflection (degrees)",
-                ticks: (8, 8),
-            };
-            let corner = (cell * column as f64 + LEFT, TITLE + ABOVE);
-            canvas.panel(corner, plot, axes, |panel| {
-                panel.zero_line()?;
-                curves.iter().try_for_each(|curve| draw(panel, curve, k))
-            })?;
-        }
-        canvas.legend(&legend, legend_top, width)
-    })
+    let mut canvas = layout.canvas(&title, &legend);
+    for (column, &k) in squirmers.iter().enumerate() {
+        let axes = Axes {
+            title: if squirmers.len() == 1 {
+                "Both squirmers".to_owned()
+            } else {
+                format!("Squirmer {}", k + 1)
+            },
+            x: Axis::new(&x, "offset of the paths, δx (radii a)", 8),
+            y: Axis::new(&y, "deflection (degrees)", 8),
+        };
+        canvas.panel(layout.corner(column, 0), plot, axes, |panel| {
+            panel.zero_line();
+            for curve in &curves {
+                draw(panel, curve, k);
+            }
+        });
+    }
+    Ok(canvas.finish())
 }
 
 /// A curve for each method, beta and dz that were run.
@@ -124,11 +116,8 @@ fn curves(encounters: &[Encounter]) -> Vec<Curve> {
                 }
                 let hue = j * heights.len() + l;
                 let single = betas.len() * heights.len() == 1;
-                let stroke = Stroke {
-                    colour: colour(if single { i } else { hue }),
-                    width: 2.0,
-                    dash: Dash::of(i),
-                };
+                let colour = colour(if single { i } else { hue });
+                let stroke = Stroke::new(colour, 2.0, Dash::of(i));
                 curves.push(Curve {
                     label,
                     stroke,
@@ -152,14 +141,13 @@ fn dot(encounter: &Encounter) -> Option<Dot> {
     })
 }
 
-fn draw(panel: &Panel<'_, '_>, curve: &Curve, k: usize) -> Result<(), FigureError> {
+fn draw(panel: &mut Panel<'_>, curve: &Curve, k: usize) {
     for run in curve.dots.chunk_by(|a, b| a.scattered && b.scattered) {
         let line: Vec<_> = run.iter().map(|d| (d.dx, d.degrees[k])).collect();
-        panel.line(&line, curve.stroke)?;
+        panel.line(&line, curve.stroke);
     }
     for dot in &curve.dots {
         let at = (dot.dx, dot.degrees[k]);
-        panel.marker(at, curve.stroke.colour, curve.shape, dot.scattered)?;
+        panel.marker(at, curve.stroke.colour, curve.shape, dot.scattered);
     }
-    Ok(())
 }

@@ -1,11 +1,9 @@
 //! Share of each kind of bound state against beta (the paper's Fig. 5a) or, if several are given,
 //! against bottom-heaviness (Fig. 8g): a panel for each method.
 
-use super::canvas::{
-    ABOVE, Axes, BELOW, Entry, Key, LEFT, RIGHT, Stroke, TITLE, legend_height, picture,
-};
+use super::canvas::{Axes, Axis, Entry, Key, Layout};
 use super::range::{extremes, padded};
-use super::style::{Dash, Shape, colour};
+use super::style::{Dash, Shape, Stroke, colour};
 use super::{FigureError, distinct, methods, number, same};
 use compare::maps::{FateRow, Share};
 
@@ -29,54 +27,45 @@ pub fn fates(rows: &[FateRow]) -> Result<String, FigureError> {
     // Orbits are rare as a rule.
     let few = gravity && orbits.is_none_or(|(_, most)| most <= 50.0);
     let y = -2.0..if few { 50.0 } else { 102.0 };
-    let plot = (400.0, 320.0);
-    let cell = LEFT + plot.0 + RIGHT;
-    let width = cell * methods.len().max(1) as f64;
+    let layout = Layout::new((400.0, 320.0), methods.len(), 1);
     let label =
         |i: usize, name: String| -> Entry { (Key::MarkedLine(stroke(i), Shape::of(i)), name) };
     let names = lines(rows, gravity, &shown).into_iter().enumerate();
-    let legend = vec![names.map(|(i, (name, ..))| label(i, name)).collect()];
-    let legend_top = TITLE + ABOVE + plot.1 + BELOW + 8.0;
-    let height = legend_top + legend_height(&legend, width);
+    let legend = [names.map(|(i, (name, ..))| label(i, name)).collect()];
     let title = if gravity {
         "Share of orbiting pairs against bottom-heaviness"
     } else {
         "Share of each outcome over the incoming angles"
     };
-    picture((width, height), title, |canvas| {
-        for (column, &method) in methods.iter().enumerate() {
-            let mine: Vec<FateRow> =
-                (rows.iter().filter(|r| r.method() == Some(method)).cloned()).collect();
-            let axes = Axes {
-                title: method.title().to_owned(),
-                x: x.clone(),
-                y: y.clone(),
-                x_title: if gravity {
-                    "bottom-heaviness, G"
-                } else {
-                    "squirmer parameter, β"
-                },
-                y_title: "share of incoming angles (%)",
-                ticks: (9, 6),
-            };
-            let corner = (cell * column as f64 + LEFT, TITLE + ABOVE);
-            canvas.panel(corner, plot, axes, |panel| {
-                for (i, (_, rows, share)) in lines(&mine, gravity, &shown).into_iter().enumerate() {
-                    let mut points: Vec<_> = rows
-                        .iter()
-                        .map(|row| (abscissa(row), 100.0 * share(row)))
-                        .collect();
-                    points.sort_by(|a, b| a.0.total_cmp(&b.0));
-                    panel.line(&points, stroke(i))?;
-                    for at in points {
-                        panel.marker(at, colour(i), Shape::of(i), true)?;
-                    }
+    let x_title = if gravity {
+        "bottom-heaviness, G"
+    } else {
+        "squirmer parameter, β"
+    };
+    let mut canvas = layout.canvas(title, &legend);
+    for (column, &method) in methods.iter().enumerate() {
+        let mine: Vec<FateRow> =
+            (rows.iter().filter(|r| r.method() == Some(method)).cloned()).collect();
+        let axes = Axes {
+            title: method.title().to_owned(),
+            x: Axis::new(&x, x_title, 9),
+            y: Axis::new(&y, "share of incoming angles (%)", 6),
+        };
+        canvas.panel(layout.corner(column, 0), layout.plot, axes, |panel| {
+            for (i, (_, rows, share)) in lines(&mine, gravity, &shown).into_iter().enumerate() {
+                let mut points: Vec<_> = rows
+                    .iter()
+                    .map(|row| (abscissa(row), 100.0 * share(row)))
+                    .collect();
+                points.sort_by(|a, b| a.0.total_cmp(&b.0));
+                panel.line(&points, stroke(i));
+                for at in points {
+                    panel.marker(at, colour(i), Shape::of(i), true);
                 }
-                Ok(())
-            })?;
-        }
-        canvas.legend(&legend, legend_top, width)
-    })
+            }
+        });
+    }
+    Ok(canvas.finish())
 }
 
 fn lines<'a>(rows: &'a [FateRow], gravity: bool, shown: &[(&str, Share)]) -> Vec<Line<'a>> {
@@ -126,10 +115,7 @@ const ANTICLOCKWISE: usize = 2;
 const COLOURS: usize = 7;
 
 fn stroke(index: usize) -> Stroke {
-    Stroke {
-        colour: colour(index),
-        // Orbits of either sense are as frequent: the first shows beside the second.
-        width: if index == ANTICLOCKWISE { 6.0 } else { 2.0 },
-        dash: Dash::of(index / COLOURS),
-    }
+    // Orbits of either sense are as frequent: the first shows beside the second.
+    let width = if index == ANTICLOCKWISE { 6.0 } else { 2.0 };
+    Stroke::new(colour(index), width, Dash::of(index / COLOURS))
 }

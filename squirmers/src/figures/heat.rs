@@ -2,23 +2,18 @@
 
 use std::ops::Range;
 
-use plotters::style::RGBColor;
-
-use super::FigureError;
-use super::canvas::Canvas;
+use super::canvas::{Anchor, Canvas, TEXT};
 use super::number;
+use super::style::Colour;
 
 /// Room for a colour bar with its labels, right of a map.
 pub(super) const BAR_ROOM: f64 = 76.0;
 
-/// Steps of a colour bar.
-const STEPS: usize = 64;
-
 /// Where there is no number.
-const NONE: RGBColor = RGBColor(150, 150, 150);
+const NONE: Colour = Colour(150, 150, 150);
 
 /// Blue for -1, white for 0, orange for 1; those beyond are drawn as these.
-pub(super) fn diverging(value: f64) -> RGBColor {
+pub(super) fn diverging(value: f64) -> Colour {
     const ENDS: [[f64; 3]; 5] = [
         [8.0, 48.0, 107.0],
         [86.0, 160.0, 220.0],
@@ -29,13 +24,8 @@ pub(super) fn diverging(value: f64) -> RGBColor {
     between(&ENDS, 0.5 * (value + 1.0))
 }
 
-/// The same over a bar from 0 to 1.
-pub(super) fn diverging_bar(share: f64) -> RGBColor {
-    diverging(2.0 * share - 1.0)
-}
-
 /// From pale yellow for 0 through green to dark violet for 1 (after viridis, reversed).
-pub(super) fn sequential(value: f64) -> RGBColor {
+pub(super) fn sequential(value: f64) -> Colour {
     const ENDS: [[f64; 3]; 5] = [
         [253.0, 231.0, 37.0],
         [94.0, 201.0, 98.0],
@@ -46,7 +36,7 @@ pub(super) fn sequential(value: f64) -> RGBColor {
     between(&ENDS, value)
 }
 
-fn between(ends: &[[f64; 3]; 5], share: f64) -> RGBColor {
+fn between(ends: &[[f64; 3]; 5], share: f64) -> Colour {
     if share.is_nan() {
         return NONE;
     }
@@ -57,40 +47,31 @@ fn between(ends: &[[f64; 3]; 5], share: f64) -> RGBColor {
         let [a, b] = [ends[index][k], ends[index + 1][k]];
         (a + rest * (b - a)).round() as u8
     };
-    RGBColor(mix(0), mix(1), mix(2))
+    Colour(mix(0), mix(1), mix(2))
 }
 
-/// A colour bar.
-pub(super) struct Bar {
-    /// Values at its lower and upper end.
-    pub range: Range<f64>,
-    /// Colour at a share of its height.
-    pub colour: fn(f64) -> RGBColor,
-    /// What the values are, with their unit.
-    pub title: &'static str,
-}
-
-impl Bar {
-    /// Draws it with its upper left corner at `corner`.
-    pub(super) fn draw(
-        &self,
-        canvas: &Canvas<'_>,
-        corner: (f64, f64),
-        height: f64,
-    ) -> Result<(), FigureError> {
-        const WIDTH: f64 = 14.0;
-        let step = height / STEPS as f64;
-        // From below, each up to the top: no seam shows between two.
-        for i in 0..STEPS {
-            let colour = (self.colour)((i as f64 + 0.5) / STEPS as f64);
-            canvas.rectangle(corner, (WIDTH, height - step * i as f64), colour)?;
-        }
-        for share in [0.0, 0.5, 1.0] {
-            let value = self.range.start + share * (self.range.end - self.range.start);
-            let y = corner.1 + height * (1.0 - share);
-            canvas.label(&number(value), (corner.0 + WIDTH + 4.0, y))?;
-        }
-        let middle = (corner.0 + WIDTH + 34.0, corner.1 + 0.25 * height);
-        canvas.upright_label(self.title, middle)
+/// Draws a colour bar with its upper left corner at `corner`. Its `colour` is that of a value of the `range`; the
+/// `title` says what the values are, with their unit.
+pub(super) fn bar(
+    canvas: &mut Canvas,
+    corner: (f64, f64),
+    height: f64,
+    range: &Range<f64>,
+    colour: impl Fn(f64) -> Colour,
+    title: &str,
+) {
+    const WIDTH: f64 = 14.0;
+    const STEPS: usize = 64;
+    let value = |share: f64| range.start + share * (range.end - range.start);
+    // From below, each up to the top: no seam shows between two.
+    for i in 0..STEPS {
+        let (low, middle) = (i as f64 / STEPS as f64, (i as f64 + 0.5) / STEPS as f64);
+        canvas.rectangle(corner, (WIDTH, height * (1.0 - low)), colour(value(middle)));
     }
+    for share in [0.0, 0.5, 1.0] {
+        let at = (corner.0 + WIDTH + 4.0, corner.1 + height * (1.0 - share));
+        canvas.text(&number(value(share)), at, TEXT, Anchor::Start);
+    }
+    let middle = (corner.0 + WIDTH + 34.0, corner.1 + 0.25 * height);
+    canvas.text(title, middle, TEXT, Anchor::Upright);
 }

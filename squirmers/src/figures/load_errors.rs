@@ -1,10 +1,8 @@
 //! Error of each load against the exact one, as a function of the gap: a panel for each load.
 
-use super::canvas::{
-    ABOVE, Axes, BELOW, Entry, Key, LEFT, RIGHT, Scale, Stroke, TITLE, legend_height, picture,
-};
+use super::canvas::{Axes, Axis, Entry, Key, Layout};
 use super::range::{decades, extremes};
-use super::style::{Dash, colour};
+use super::style::{Dash, Stroke, colour};
 use super::{FigureError, methods};
 use compare::{LoadErrorRow, Method};
 
@@ -36,48 +34,29 @@ pub fn load_errors(rows: &[LoadErrorRow]) -> Result<String, FigureError> {
         _ => decades(gaps()),
     };
 
-    let plot = (170.0, 150.0);
-    let cell = (LEFT + plot.0 + RIGHT, ABOVE + plot.1 + BELOW);
-    let width = cell.0 * COLUMNS as f64;
+    let y = POWERS.0..POWERS.1;
     let entry = |method: &Method| (Key::Line(stroke(*method)), method.title().to_owned());
-    let legend: Vec<Vec<Entry>> = vec![methods.iter().map(entry).collect()];
+    let legend: Vec<Entry> = methods.iter().map(entry).collect();
     let places = places(&names);
     let lines = places.iter().map(|(line, _)| line + 1).max().unwrap_or(1);
-    let legend_top = TITLE + cell.1 * lines as f64 + 8.0;
-    let height = legend_top + legend_height(&legend, width);
-    let title = "Error of the loads against the exact ones";
-    picture((width, height), title, |canvas| {
-        for (&name, &(line, column)) in names.iter().zip(&places) {
-            let axes = Axes {
-                title: name.to_owned(),
-                x: x.clone(),
-                y: POWERS.0..POWERS.1,
-                x_title: "gap (radii a)",
-                y_title: if column == 0 { "error" } else { "" },
-                ticks: (4, 6),
-            };
-            let corner = (
-                cell.0 * column as f64 + LEFT,
-                TITLE + cell.1 * line as f64 + ABOVE,
-            );
-            canvas.scaled_panel(
-                corner,
-                plot,
-                axes,
-                (Scale::Powers, Scale::Powers),
-                |panel| {
-                    for &method in &methods {
-                        let mine = (rows.iter())
-                            .filter(|row| method_of(row) == Some(method) && row.name == name);
-                        let points: Vec<_> = mine.map(place).collect();
-                        panel.path(&points, stroke(method))?;
-                    }
-                    Ok(())
-                },
-            )?;
-        }
-        canvas.legend(&legend, legend_top, width)
-    })
+    let layout = Layout::new((170.0, 150.0), COLUMNS, lines);
+    let mut canvas = layout.canvas("Error of the loads against the exact ones", &[legend]);
+    for (&name, &(line, column)) in names.iter().zip(&places) {
+        let axes = Axes {
+            title: name.to_owned(),
+            x: Axis::powers(&x, "gap (radii a)", 4),
+            y: Axis::powers(&y, if column == 0 { "error" } else { "" }, 6),
+        };
+        canvas.panel(layout.corner(column, line), layout.plot, axes, |panel| {
+            for &method in &methods {
+                let mine =
+                    (rows.iter()).filter(|row| method_of(row) == Some(method) && row.name == name);
+                let points: Vec<_> = mine.map(place).collect();
+                panel.path(&points, stroke(method));
+            }
+        });
+    }
+    Ok(canvas.finish())
 }
 
 /// Where an error lies, as logarithms; no number where it is not known.
@@ -106,11 +85,7 @@ fn places(names: &[&str]) -> Vec<(usize, usize)> {
 
 fn stroke(method: Method) -> Stroke {
     let index = Method::ALL.iter().position(|m| *m == method).unwrap_or(0);
-    Stroke {
-        colour: colour(index),
-        width: 2.0,
-        dash: Dash::of(index),
-    }
+    Stroke::new(colour(index), 2.0, Dash::of(index))
 }
 
 fn method_of(row: &LoadErrorRow) -> Option<Method> {

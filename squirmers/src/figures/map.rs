@@ -1,15 +1,11 @@
 //! Maps over the plane of initial directions (the paper's Figs 2-4): deflections of both
 //! squirmers, interaction time and outcome, side by side.
 
-use plotters::style::RGBColor;
 use scene::Outcome;
 
-use super::canvas::{
-    ABOVE, Axes, BELOW, Canvas, Entry, Key, LEFT, MapCell, RIGHT, TITLE, legend_height, picture,
-    whole_side,
-};
-use super::heat::{self, Bar};
-use super::style::{Fill, Hatch};
+use super::canvas::{Axes, Axis, Canvas, Entry, Key, Layout, Map, MapCell, whole_side};
+use super::heat;
+use super::style::{Colour, Fill, Hatch};
 use super::{FigureError, number};
 use compare::maps::ScatterRow;
 
@@ -23,23 +19,23 @@ const LONGEST: f64 = 30.0;
 /// their lightness.
 pub(super) const fn outcome_fill(outcome: Option<Outcome>) -> Fill {
     match outcome {
-        Some(Outcome::Scattered) => Fill::new((240, 240, 240), Hatch::Plain),
-        Some(Outcome::Standoff) => Fill::new((240, 228, 66), Hatch::Crossed),
-        Some(Outcome::Pairwise) => Fill::new((213, 94, 0), Hatch::Plain),
-        Some(Outcome::Anticlockwise) => Fill::new((0, 114, 178), Hatch::Rising),
-        Some(Outcome::Clockwise) => Fill::new((86, 180, 233), Hatch::Falling),
-        Some(Outcome::Undecided) => Fill::new((0, 0, 0), Hatch::Crossed),
-        Some(Outcome::Upward) => Fill::new((190, 190, 190), Hatch::Plain),
-        Some(Outcome::Oscillating) => Fill::new((204, 121, 167), Hatch::Rising),
-        Some(Outcome::Downward) => Fill::new((0, 158, 115), Hatch::Falling),
-        Some(Outcome::Contact) => Fill::new((120, 70, 20), Hatch::Plain),
-        Some(Outcome::Unresolved) => Fill::new((160, 32, 32), Hatch::Crossed),
-        None => Fill::new((230, 159, 0), Hatch::Crossed),
+        Some(Outcome::Scattered) => Fill::new(Colour(240, 240, 240), Hatch::Plain),
+        Some(Outcome::Standoff) => Fill::new(Colour(240, 228, 66), Hatch::Crossed),
+        Some(Outcome::Pairwise) => Fill::new(Colour(213, 94, 0), Hatch::Plain),
+        Some(Outcome::Anticlockwise) => Fill::new(Colour(0, 114, 178), Hatch::Rising),
+        Some(Outcome::Clockwise) => Fill::new(Colour(86, 180, 233), Hatch::Falling),
+        Some(Outcome::Undecided) => Fill::new(Colour(0, 0, 0), Hatch::Crossed),
+        Some(Outcome::Upward) => Fill::new(Colour(190, 190, 190), Hatch::Plain),
+        Some(Outcome::Oscillating) => Fill::new(Colour(204, 121, 167), Hatch::Rising),
+        Some(Outcome::Downward) => Fill::new(Colour(0, 158, 115), Hatch::Falling),
+        Some(Outcome::Contact) => Fill::new(Colour(120, 70, 20), Hatch::Plain),
+        Some(Outcome::Unresolved) => Fill::new(Colour(160, 32, 32), Hatch::Crossed),
+        None => Fill::new(Colour(230, 159, 0), Hatch::Crossed),
     }
 }
 
 /// Fill, in the panels of numbers, of pairs that did not scatter: the scales have no hatch.
-const BOUND: Fill = Fill::new((150, 150, 150), Hatch::Rising);
+const BOUND: Fill = Fill::new(Colour(150, 150, 150), Hatch::Rising);
 
 /// What the panels of numbers show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,10 +66,10 @@ impl Quantity {
     }
 
     /// The point of a pair in a panel, of the colour of its number if it has one.
-    fn cell(self, row: &ScatterRow, colour: RGBColor) -> MapCell {
+    fn cell(self, row: &ScatterRow, colour: Colour) -> MapCell {
         let is_data = self.is_known(row);
         let fill = match self.belongs_to(row.outcome()) {
-            Some(true) if is_data => Fill::plain(colour),
+            Some(true) if is_data => Fill::new(colour, Hatch::Plain),
             Some(true) => outcome_fill(None),
             Some(false) => BOUND,
             None => outcome_fill(row.outcome()),
@@ -122,76 +118,67 @@ pub fn scatter(rows: &[ScatterRow]) -> Result<String, FigureError> {
     if first.g != 0.0 {
         title += &format!(", G = {}", number(first.g));
     }
-    let legend = legend(rows);
     let side = whole_side(SIDE, rows.len().isqrt());
-    let plot = (side, side);
-    let cell = LEFT + side + RIGHT + heat::BAR_ROOM;
-    let storey = ABOVE + side + BELOW;
-    let width = 2.0 * cell;
-    let legend_top = TITLE + 2.0 * storey + 8.0;
-    let height = legend_top + legend_height(&legend, width);
+    // Two by two: four in a row are wider than a page.
+    let layout = Layout {
+        right: heat::BAR_ROOM,
+        ..Layout::new((side, side), 2, 2)
+    };
+    let corner = |panel: usize| layout.corner(panel % 2, panel / 2);
+    let beside = |panel: usize| (corner(panel).0 + side + 14.0, corner(panel).1);
     let angle = (rows.iter())
         .filter(|row| Quantity::Deflection.is_known(row))
         .flat_map(|row| [row.deflection1_deg.abs(), row.deflection2_deg.abs()])
         .fold(30.0, f64::max);
     let angle = (angle / 30.0).ceil() * 30.0;
-    picture((width, height), &title, |canvas| {
-        // Two by two: four in a row are wider than a page.
-        let corner = |panel: usize| {
-            let (column, row) = ((panel % 2) as f64, (panel / 2) as f64);
-            (cell * column + LEFT, TITLE + ABOVE + storey * row)
-        };
-        for k in [0, 1] {
-            let cells = rows.iter().map(|row| {
-                let deflection = [row.deflection1_deg, row.deflection2_deg][k];
-                Quantity::Deflection.cell(row, heat::diverging(deflection / angle))
-            });
-            let title = format!("Deflection of squirmer {}", k + 1);
-            draw(canvas, corner(k), title, plot, cells)?;
-            let bar = Bar {
-                range: -angle..angle,
-                colour: heat::diverging_bar,
-                title: "degrees",
-            };
-            bar.draw(canvas, (corner(k).0 + side + 14.0, corner(k).1), side)?;
-        }
-        let cells =
-            (rows.iter()).map(|row| Quantity::Time.cell(row, heat::sequential(row.tau / LONGEST)));
-        let title = "Interaction time τ".to_owned();
-        draw(canvas, corner(2), title, plot, cells)?;
-        let bar = Bar {
-            range: 0.0..LONGEST,
-            colour: heat::sequential,
-            title: "a/Vs; the same above",
-        };
-        bar.draw(canvas, (corner(2).0 + side + 14.0, corner(2).1), side)?;
-        let cells = rows.iter().map(|row| MapCell {
-            fill: outcome_fill(row.outcome()),
-            is_data: true,
+    let colour = |deflection: f64| heat::diverging(deflection / angle);
+    let mut canvas = layout.canvas(&title, &legend(rows));
+    for k in [0, 1] {
+        let cells = rows.iter().map(|row| {
+            let deflection = [row.deflection1_deg, row.deflection2_deg][k];
+            Quantity::Deflection.cell(row, colour(deflection))
         });
-        draw(canvas, corner(3), "Outcome".to_owned(), plot, cells)?;
-        canvas.legend(&legend, legend_top, width)
-    })
+        let title = format!("Deflection of squirmer {}", k + 1);
+        draw(&mut canvas, corner(k), title, side, cells)?;
+        heat::bar(
+            &mut canvas,
+            beside(k),
+            side,
+            &(-angle..angle),
+            colour,
+            "degrees",
+        );
+    }
+    let colour = |tau: f64| heat::sequential(tau / LONGEST);
+    let cells = (rows.iter()).map(|row| Quantity::Time.cell(row, colour(row.tau)));
+    let title = "Interaction time τ".to_owned();
+    draw(&mut canvas, corner(2), title, side, cells)?;
+    let title = "a/Vs (top: ≥ 30)";
+    heat::bar(&mut canvas, beside(2), side, &(0.0..LONGEST), colour, title);
+    let cells = rows.iter().map(|row| MapCell {
+        fill: outcome_fill(row.outcome()),
+        is_data: true,
+    });
+    draw(&mut canvas, corner(3), "Outcome".to_owned(), side, cells)?;
+    Ok(canvas.finish())
 }
 
-/// A panel over `Delta` and `Sigma` filled with the points of a grid.
+/// A square panel over `Delta` and `Sigma` filled with the points of a grid.
 pub(super) fn draw(
-    canvas: &Canvas<'_>,
+    canvas: &mut Canvas,
     corner: (f64, f64),
     title: String,
-    plot: (f64, f64),
+    side: f64,
     cells: impl Iterator<Item = MapCell>,
 ) -> Result<(), FigureError> {
     let axes = Axes {
         title,
-        x: 0.0..2.0,
-        y: 0.0..2.0,
-        x_title: "difference of incoming angles, Δ (π)",
-        y_title: "sum of incoming angles, Σ (π)",
-        ticks: (5, 5),
+        x: Axis::new(&(0.0..2.0), "difference of incoming angles, Δ (π)", 5),
+        y: Axis::new(&(0.0..2.0), "sum of incoming angles, Σ (π)", 5),
     };
-    let cells: Vec<MapCell> = cells.collect();
-    canvas.panel(corner, plot, axes, |panel| panel.grid(&cells))
+    let map = Map::new(&cells.collect::<Vec<_>>())?;
+    canvas.panel(corner, (side, side), axes, |panel| panel.map(&map));
+    Ok(())
 }
 
 #[cfg(test)]
@@ -270,7 +257,7 @@ mod tests {
     #[test]
     fn a_map_without_one_scattered_pair_has_outcomes_and_no_other_data() {
         let svg = scatter(&[const { "failed" }; 4].map(|o| row(o, f64::NAN))).unwrap();
-        assert_eq!(svg.matches("\nno data\n").count(), 3);
+        assert_eq!(svg.matches(">no data<").count(), 3);
         assert_eq!(svg.matches("<image").count(), 1);
         let svg =
             scatter(&["scattered", "pairwise", "pairwise", "failed"].map(|o| row(o, 3.0))).unwrap();

@@ -61,17 +61,17 @@ pub enum FigureError {
         /// Another one.
         other: Approach,
     },
-    /// The plotting library refused.
-    #[error("cannot draw: {reason}")]
-    Drawing {
-        /// What it said.
+    /// The pixels of a map could not be written.
+    #[error("cannot encode the map: {reason}")]
+    Encoding {
+        /// What the encoder said.
         reason: String,
     },
 }
 
 impl FigureError {
-    fn drawing(error: impl Display) -> Self {
-        Self::Drawing {
+    fn encoding(error: impl Display) -> Self {
+        Self::Encoding {
             reason: error.to_string(),
         }
     }

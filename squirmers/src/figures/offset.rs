@@ -1,12 +1,10 @@
 //! Change of the outgoing orientation by an offset out of the plane (the paper's Fig. 5b): a panel
 //! for each method, a line for each case.
 
-use super::canvas::{
-    ABOVE, Axes, BELOW, Entry, Key, LEFT, RIGHT, Stroke, TITLE, legend_height, picture,
-};
+use super::canvas::{Axes, Axis, Entry, Key, Layout};
 use super::deflection::NOISE;
 use super::range::padded;
-use super::style::{Dash, INK, Shape, colour};
+use super::style::{Dash, INK, Shape, Stroke, colour};
 use super::{FigureError, methods, number, same};
 use compare::{Approach, Method, OffsetRow};
 
@@ -59,9 +57,6 @@ pub fn offset(rows: &[OffsetRow]) -> Result<String, FigureError> {
     let x = padded(rows.iter().map(|r| r.dz), 0.04, 0.0);
     let differ = (rows.iter()).any(|r| (r.change1_deg - r.change2_deg).abs() > SAME_CHANGE);
 
-    let plot = (400.0, 340.0);
-    let cell = LEFT + plot.0 + RIGHT;
-    let width = cell * methods.len().max(1) as f64;
     let entry = |(i, line): (usize, &Line<'_>)| {
         let mut label = line.label();
         let mine = rows.iter().filter(|row| line.holds(row));
@@ -78,65 +73,45 @@ pub fn offset(rows: &[OffsetRow]) -> Result<String, FigureError> {
     if differ {
         let squirmers = [(Dash::Solid, "squirmer 1"), (Dash::Dashed, "squirmer 2")];
         let entry = |(dash, label): (Dash, &str)| {
-            let colour = INK;
-            let stroke = Stroke {
-                colour,
-                ..stroke(0, dash)
-            };
-            (Key::Line(stroke), label.to_owned())
+            let key = Key::Line(Stroke::new(INK, 2.0, dash));
+            (key, label.to_owned())
         };
         legend.push(squirmers.map(entry).into());
     }
-    let legend_top = TITLE + ABOVE + plot.1 + BELOW + 8.0;
-    let height = legend_top + legend_height(&legend, width);
+    let layout = Layout::new((400.0, 340.0), methods.len(), 1);
     let title = "Change of the outgoing orientation by an offset out of the plane";
-    picture((width, height), title, |canvas| {
-        for (column, &method) in methods.iter().enumerate() {
-            let axes = Axes {
-                title: method.title().to_owned(),
-                x: x.clone(),
-                y: y.clone(),
-                x_title: "offset out of the plane, δz (radii a)",
-                y_title: "change of angle (degrees)",
-                ticks: (7, 8),
-            };
-            let corner = (cell * column as f64 + LEFT, TITLE + ABOVE);
-            canvas.panel(corner, plot, axes, |panel| {
-                for (i, line) in lines.iter().enumerate() {
-                    let mut mine: Vec<&OffsetRow> = (rows.iter())
-                        .filter(|r| method_of(r) == Some(method) && line.holds(r))
-                        .collect();
-                    mine.sort_by(|a, b| a.dz.total_cmp(&b.dz));
-                    let first: Vec<_> = mine.iter().map(|r| (r.dz, r.change1_deg)).collect();
-                    let second: Vec<_> = mine.iter().map(|r| (r.dz, r.change2_deg)).collect();
-                    let apart =
-                        (mine.iter()).any(|r| (r.change1_deg - r.change2_deg).abs() > SAME_CHANGE);
-                    let both = [(first, Dash::Solid), (second, Dash::Dashed)];
-                    for (points, dash) in both.iter().take(if apart { 2 } else { 1 }) {
-                        for run in points.chunk_by(|a, b| a.1.is_finite() && b.1.is_finite()) {
-                            if run.len() > 1 {
-                                panel.line(run, stroke(i, *dash))?;
-                            }
-                        }
-                        for &at in points.iter().filter(|p| p.1.is_finite()) {
-                            let filled = *dash == Dash::Solid;
-                            panel.marker(at, colour(i), line.shape(), filled)?;
-                        }
+    let mut canvas = layout.canvas(title, &legend);
+    for (column, &method) in methods.iter().enumerate() {
+        let axes = Axes {
+            title: method.title().to_owned(),
+            x: Axis::new(&x, "offset out of the plane, δz (radii a)", 7),
+            y: Axis::new(&y, "change of angle (degrees)", 8),
+        };
+        canvas.panel(layout.corner(column, 0), layout.plot, axes, |panel| {
+            for (i, line) in lines.iter().enumerate() {
+                let mut mine: Vec<&OffsetRow> = (rows.iter())
+                    .filter(|r| method_of(r) == Some(method) && line.holds(r))
+                    .collect();
+                mine.sort_by(|a, b| a.dz.total_cmp(&b.dz));
+                let first: Vec<_> = mine.iter().map(|r| (r.dz, r.change1_deg)).collect();
+                let second: Vec<_> = mine.iter().map(|r| (r.dz, r.change2_deg)).collect();
+                let apart =
+                    (mine.iter()).any(|r| (r.change1_deg - r.change2_deg).abs() > SAME_CHANGE);
+                let both = [(first, Dash::Solid), (second, Dash::Dashed)];
+                for (points, dash) in both.iter().take(if apart { 2 } else { 1 }) {
+                    panel.line(points, stroke(i, *dash));
+                    for &at in points {
+                        panel.marker(at, colour(i), line.shape(), *dash == Dash::Solid);
                     }
                 }
-                Ok(())
-            })?;
-        }
-        canvas.legend(&legend, legend_top, width)
-    })
+            }
+        });
+    }
+    Ok(canvas.finish())
 }
 
 fn stroke(index: usize, dash: Dash) -> Stroke {
-    Stroke {
-        colour: colour(index),
-        width: 2.0,
-        dash,
-    }
+    Stroke::new(colour(index), 2.0, dash)
 }
 
 fn method_of(row: &OffsetRow) -> Option<Method> {

@@ -3,13 +3,9 @@
 
 use std::ops::Range;
 
-use plotters::style::RGBColor;
-
-use super::canvas::{
-    ABOVE, Axes, BELOW, Entry, Key, LEFT, Panel, RIGHT, Stroke, TITLE, legend_height, picture,
-};
+use super::canvas::{Anchor, Axes, Axis, Entry, Key, Layout, Panel, TEXT};
 use super::range::{extremes, sound, widened};
-use super::style::{Dash, colour};
+use super::style::{Colour, Dash, Stroke, colour};
 use super::{FigureError, methods, number};
 use compare::bottom_heavy::PanelRun;
 
@@ -17,7 +13,7 @@ use compare::bottom_heavy::PanelRun;
 pub const ARROW_INTERVAL: f64 = 4.0;
 
 /// Colour of the orientations: both lines are seen beside it.
-const ARROW: RGBColor = RGBColor(96, 96, 96);
+const ARROW: Colour = Colour(96, 96, 96);
 
 /// Nominal length of an orientation's arrow.
 const ARROW_LENGTH: f64 = 17.0;
@@ -64,52 +60,43 @@ pub fn panels(runs: &[PanelRun], title: &str) -> Result<String, FigureError> {
         let what = "no run";
         return Err(FigureError::Empty { what });
     }
-    let cell = (LEFT + PLOT.0 + RIGHT, ABOVE + PLOT.1 + BELOW);
-    let width = NAMES + cell.0 * panels.len() as f64;
-    let legend_top = TITLE + cell.1 * methods.len() as f64 + 8.0;
-    let legend = legend();
-    let height = legend_top + legend_height(&legend, width);
-    picture((width, height), title, |canvas| {
-        for (row, &method) in methods.iter().enumerate() {
-            let top = TITLE + cell.1 * row as f64 + ABOVE;
-            canvas.upright_label(method.title(), (NAMES / 2.0, top + PLOT.1 / 2.0))?;
-            for (column, first) in panels.iter().enumerate() {
-                let case = &first.case;
-                let of_case = || {
-                    runs.iter()
-                        .filter(|run| run.case == *case && run.run.is_ok())
-                };
-                let mine = of_case().find(|run| run.method == method);
-                let (x, y) = window(mine.or_else(|| of_case().next()));
-                let mut title = format!("({}) β = {}", case.panel, number(case.beta));
-                if case.g != 0.0 {
-                    title += &format!(", G = {}", number(case.g));
-                }
-                let axes = Axes {
-                    title,
-                    x,
-                    y,
-                    x_title: "x (radii a)",
-                    y_title: "y (radii a)",
-                    ticks: (4, 9),
-                };
-                let corner = (NAMES + cell.0 * column as f64 + LEFT, top);
-                canvas.panel(corner, PLOT, axes, |panel| match mine {
-                    Some(run) => draw(panel, run),
-                    None => Ok(()),
-                })?;
+    let layout = Layout {
+        left: NAMES,
+        ..Layout::new(PLOT, panels.len(), methods.len())
+    };
+    let mut canvas = layout.canvas(title, &legend());
+    for (row, &method) in methods.iter().enumerate() {
+        let middle = layout.corner(0, row).1 + PLOT.1 / 2.0;
+        canvas.text(method.title(), (NAMES / 2.0, middle), TEXT, Anchor::Upright);
+        for (column, first) in panels.iter().enumerate() {
+            let case = &first.case;
+            let of_case = || {
+                runs.iter()
+                    .filter(|run| run.case == *case && run.run.is_ok())
+            };
+            let mine = of_case().find(|run| run.method == method);
+            let (x, y) = window(mine.or_else(|| of_case().next()));
+            let mut title = format!("({}) β = {}", case.panel, number(case.beta));
+            if case.g != 0.0 {
+                title += &format!(", G = {}", number(case.g));
             }
+            let axes = Axes {
+                title,
+                x: Axis::new(&x, "x (radii a)", 4),
+                y: Axis::new(&y, "y (radii a)", 9),
+            };
+            canvas.panel(layout.corner(column, row), PLOT, axes, |panel| {
+                if let Some(run) = mine {
+                    draw(panel, run);
+                }
+            });
         }
-        canvas.legend(&legend, legend_top, width)
-    })
+    }
+    Ok(canvas.finish())
 }
 
 fn stroke(k: usize) -> Stroke {
-    Stroke {
-        colour: colour(k),
-        width: 1.8,
-        dash: Dash::of(k),
-    }
+    Stroke::new(colour(k), 1.8, Dash::of(k))
 }
 
 fn legend() -> Vec<Vec<Entry>> {
@@ -124,33 +111,32 @@ fn legend() -> Vec<Vec<Entry>> {
     ]]
 }
 
-fn draw(panel: &Panel<'_, '_>, run: &PanelRun) -> Result<(), FigureError> {
+fn draw(panel: &mut Panel<'_>, run: &PanelRun) {
     let paths = [0, 1].map(|k| path(run, k));
     let mut points: Vec<_> = paths.iter().flatten().map(|(_, (at, _))| *at).collect();
     for (_, ((x, y), _)) in paths.iter().filter_map(|path| path.first()) {
         points.extend([(x + 1.0, *y), (x - 1.0, *y), (*x, y + 1.0), (*x, y - 1.0)]);
     }
     if run.case.g != 0.0 {
-        panel.gravity(&points)?;
+        panel.gravity(&points);
     }
     for (k, path) in paths.iter().enumerate() {
         if let Some((_, (at, heading))) = path.first() {
-            panel.sphere(*at, *heading, colour(k))?;
+            panel.sphere(*at, *heading, colour(k));
         }
         let line: Vec<_> = path.iter().map(|(_, (at, _))| *at).collect();
-        panel.line(&line, stroke(k))?;
+        panel.line(&line, stroke(k));
     }
     for path in &paths {
         let mut next = ARROW_INTERVAL;
         for (t, (at, heading)) in path {
             // Samples lie on multiples of an interval that divides this one.
             if *t >= next - 1e-9 {
-                panel.arrow(*at, *heading, ARROW_LENGTH, ARROW)?;
+                panel.arrow(*at, *heading, ARROW_LENGTH, ARROW);
                 next += ARROW_INTERVAL;
             }
         }
     }
-    Ok(())
 }
 
 /// What the trajectories need, widened to the shape of the plot; about the origin without any.

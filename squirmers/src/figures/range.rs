@@ -56,23 +56,13 @@ pub(super) fn decades(logs: impl IntoIterator<Item = f64>) -> Range<f64> {
 
 /// The same range where an axis can be drawn along it, one about it otherwise.
 pub(super) fn sound(range: &Range<f64>) -> Range<f64> {
-    let Some((low, high)) = extremes([range.start, range.end]) else {
-        return 0.0..1.0;
-    };
-    let size = low.abs().max(high.abs());
-    if high - low > (NARROWEST * size).max(SMALLEST) {
-        return low..high;
-    }
-    let margin = about(size, 0.0);
-    low - margin..high + margin
+    padded([range.start, range.end], 0.0, SMALLEST)
 }
 
 /// A range of at least the extent `least`, about the same middle.
 pub(super) fn widened(range: &Range<f64>, least: f64) -> Range<f64> {
-    let (middle, half) = (
-        0.5 * (range.start + range.end),
-        0.5 * (range.end - range.start).max(least),
-    );
+    let middle = 0.5 * (range.start + range.end);
+    let half = 0.5 * (range.end - range.start).max(least);
     middle - half..middle + half
 }
 

@@ -5,11 +5,9 @@ use std::ops::Range;
 
 use scene::Scene;
 
-use super::canvas::{
-    ABOVE, Axes, BELOW, Key, LEFT, Panel, RIGHT, Scale, Stroke, TITLE, legend_height, picture,
-};
-use super::range::{decades, extremes, sound, widened};
-use super::style::{Dash, colour};
+use super::canvas::{ABOVE, Axes, Axis, BELOW, Canvas, Key, LEFT, Panel, RIGHT, TITLE};
+use super::range::{decades, extremes, padded, sound, widened};
+use super::style::{Dash, Stroke, colour};
 use super::{FigureError, number};
 use compare::scene_run::SampleRow;
 
@@ -25,6 +23,9 @@ const ROOM: f64 = 1.5;
 
 /// Smallest gap that is drawn: what is closer is in contact.
 const LEAST_GAP: f64 = 1e-300;
+
+/// Least extent of the axis of angles.
+const LEAST_DEGREES: f64 = 10.0;
 
 /// Most points of a line: more than there are pixels.
 const POINTS: usize = 4000;
@@ -53,63 +54,54 @@ pub fn scene_run(scene: &Scene, rows: &[SampleRow], spatial: bool) -> Result<Str
         (Key::Line(stroke(1)), label(scene, 1)),
         (Key::Sphere, "start and end".to_owned()),
     ]];
-    let legend_top = time_top + PLOT.1 + BELOW + 8.0;
-    let height = legend_top + legend_height(&legend, width);
-    picture((width, height), "Two squirmers", |canvas| {
-        for (column, (view, (x, y))) in views.iter().zip(&windows).enumerate() {
-            let axes = Axes {
-                title: view.title.to_owned(),
-                x: x.clone(),
-                y: y.clone(),
-                x_title: view.x_title,
-                y_title: view.y_title,
-                ticks: (7, 7),
-            };
-            // A single view stands in the middle.
-            let size = sizes[column];
-            let middle = width * (column as f64 + 0.5) / views.len() as f64;
-            let left = middle + 0.5 * (LEFT - RIGHT - size.0);
-            canvas.panel((left, TITLE + ABOVE), size, axes, |panel| {
-                draw_paths(panel, view, &shown, [first, last])
-            })?;
+    let size = (width, time_top + PLOT.1 + BELOW + 8.0);
+    let mut canvas = Canvas::new("Two squirmers", size, &legend);
+    for (column, (view, (x, y))) in views.iter().zip(&windows).enumerate() {
+        let axes = Axes {
+            title: view.title.to_owned(),
+            x: Axis::new(x, view.x_title, 7),
+            y: Axis::new(y, view.y_title, 7),
+        };
+        // A single view stands in the middle.
+        let size = sizes[column];
+        let middle = width * (column as f64 + 0.5) / views.len() as f64;
+        let left = middle + 0.5 * (LEFT - RIGHT - size.0);
+        canvas.panel((left, TITLE + ABOVE), size, axes, |panel| {
+            draw_paths(panel, view, &shown, [first, last]);
+        });
+    }
+    let time = Axis::new(&(0.0..last.t), "time (a/Vs)", 7);
+    let gaps: Vec<_> = shown.iter().map(|row| (row.t, decade(row.gap))).collect();
+    let gap = decades(gaps.iter().map(|(_, log)| *log));
+    let axes = Axes {
+        title: "Gap".to_owned(),
+        x: time.clone(),
+        y: Axis::powers(&gap, "gap ε (radii a)", 6),
+    };
+    canvas.panel((LEFT, time_top), PLOT, axes, |panel| {
+        panel.path(&gaps, stroke(2))
+    });
+    let angles = [0, 1].map(|k| -> Vec<_> {
+        let of = |row: &SampleRow| [row.angle1_deg, row.angle2_deg][k];
+        shown.iter().map(|row| (row.t, of(row))).collect()
+    });
+    let all = angles.iter().flatten().map(|(_, angle)| *angle);
+    let angle = widened(&padded(all, 0.08, 0.0), LEAST_DEGREES);
+    let axes = Axes {
+        title: if spatial {
+            "Orientations, projected on the x-y plane".to_owned()
+        } else {
+            "Orientations".to_owned()
+        },
+        x: time,
+        y: Axis::new(&angle, "angle (degrees)", 6),
+    };
+    canvas.panel((cell + LEFT, time_top), PLOT, axes, |panel| {
+        for (k, angles) in angles.iter().enumerate() {
+            panel.path(angles, stroke(k));
         }
-        let time = 0.0..if last.t > 0.0 { last.t } else { 1.0 };
-        let gaps: Vec<_> = shown.iter().map(|row| (row.t, decade(row.gap))).collect();
-        let axes = Axes {
-            title: "Gap".to_owned(),
-            x: time.clone(),
-            y: decades(gaps.iter().map(|(_, log)| *log)),
-            x_title: "time (a/Vs)",
-            y_title: "gap ε (radii a)",
-            ticks: (7, 6),
-        };
-        let scales = (Scale::Linear, Scale::Powers);
-        canvas.scaled_panel((LEFT, time_top), PLOT, axes, scales, |panel| {
-            panel.path(&gaps, stroke(2))
-        })?;
-        let angle = |k: usize| -> Vec<_> {
-            let of = |row: &SampleRow| [row.angle1_deg, row.angle2_deg][k];
-            shown.iter().map(|row| (row.t, of(row))).collect()
-        };
-        let axes = Axes {
-            title: if spatial {
-                "Orientations, projected on the x-y plane".to_owned()
-            } else {
-                "Orientations".to_owned()
-            },
-            x: time,
-            y: padded((angle(0).iter().chain(&angle(1))).map(|(_, angle)| *angle)),
-            x_title: "time (a/Vs)",
-            y_title: "angle (degrees)",
-            ticks: (7, 6),
-        };
-        canvas.panel((cell + LEFT, time_top), PLOT, axes, |panel| {
-            [0, 1]
-                .into_iter()
-                .try_for_each(|k| panel.path(&angle(k), stroke(k)))
-        })?;
-        canvas.legend(&legend, legend_top, width)
-    })
+    });
+    Ok(canvas.finish())
 }
 
 /// From where a pair is looked at.
@@ -144,15 +136,12 @@ impl View {
 }
 
 fn stroke(series: usize) -> Stroke {
-    Stroke {
-        colour: colour(series),
-        width: 1.8,
-        dash: if series == 1 {
-            Dash::Dashed
-        } else {
-            Dash::Solid
-        },
-    }
+    let dash = if series == 1 {
+        Dash::Dashed
+    } else {
+        Dash::Solid
+    };
+    Stroke::new(colour(series), 1.8, dash)
 }
 
 fn label(scene: &Scene, k: usize) -> String {
@@ -201,28 +190,13 @@ fn size((x, y): &(Range<f64>, Range<f64>)) -> (f64, f64) {
     (width * scale, height * scale)
 }
 
-fn draw_paths(
-    panel: &Panel<'_, '_>,
-    view: &View,
-    rows: &[SampleRow],
-    ends: [&SampleRow; 2],
-) -> Result<(), FigureError> {
+fn draw_paths(panel: &mut Panel<'_>, view: &View, rows: &[SampleRow], ends: [&SampleRow; 2]) {
     for k in [0, 1] {
         for row in ends {
             let (centre, heading) = view.of(row, k);
-            panel.sphere(centre, heading, colour(k))?;
+            panel.sphere(centre, heading, colour(k));
         }
         let path: Vec<_> = rows.iter().map(|row| view.of(row, k).0).collect();
-        panel.line(&path, stroke(k))?;
+        panel.line(&path, stroke(k));
     }
-    Ok(())
-}
-
-/// About the values, with room above and below.
-fn padded(values: impl Iterator<Item = f64>) -> Range<f64> {
-    /// Least extent, in degrees.
-    const LEAST_DEGREES: f64 = 10.0;
-    let (low, high) = extremes(values).unwrap_or((0.0, 0.0));
-    let room = (0.08 * (high - low)).max(0.5 * (LEAST_DEGREES - (high - low)));
-    low - room..high + room
 }

@@ -1,26 +1,38 @@
 //! Colours, line styles and markers that tell series apart, with and without colour vision.
 
-use plotters::style::{RGBColor, WHITE};
+use maud::{Markup, PreEscaped, Render};
+
+/// Red, green and blue of sRGB.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Colour(pub u8, pub u8, pub u8);
+
+impl Render for Colour {
+    fn render(&self) -> Markup {
+        PreEscaped(format!("#{:02X}{:02X}{:02X}", self.0, self.1, self.2))
+    }
+}
+
+pub(super) const WHITE: Colour = Colour(255, 255, 255);
 
 /// Text, frames and axes.
-pub(super) const INK: RGBColor = RGBColor(34, 34, 34);
+pub(super) const INK: Colour = Colour(34, 34, 34);
 
 /// Mesh lines.
-pub(super) const MESH: RGBColor = RGBColor(226, 226, 226);
+pub(super) const MESH: Colour = Colour(226, 226, 226);
 
 /// Okabe & Ito (2008), the colours that are dark enough on white first.
-const COLOURS: [RGBColor; 7] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
-    RGBColor(0, 0, 0),
+const COLOURS: [Colour; 7] = [
+    Colour(0, 114, 178),
+    Colour(213, 94, 0),
+    Colour(0, 158, 115),
+    Colour(204, 121, 167),
+    Colour(230, 159, 0),
+    Colour(86, 180, 233),
+    Colour(0, 0, 0),
 ];
 
 /// The colour of the series number `index`.
-pub(super) fn colour(index: usize) -> RGBColor {
+pub(super) fn colour(index: usize) -> Colour {
     COLOURS[index % COLOURS.len()]
 }
 
@@ -36,7 +48,7 @@ pub(super) enum Hatch {
 /// How an area is filled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Fill {
-    pub colour: RGBColor,
+    pub colour: Colour,
     pub hatch: Hatch,
 }
 
@@ -44,22 +56,12 @@ pub(super) struct Fill {
 const LIGHT: f64 = 50.0;
 
 impl Fill {
-    pub(super) const fn new((red, green, blue): (u8, u8, u8), hatch: Hatch) -> Self {
-        Self {
-            colour: RGBColor(red, green, blue),
-            hatch,
-        }
-    }
-
-    pub(super) const fn plain(colour: RGBColor) -> Self {
-        Self {
-            colour,
-            hatch: Hatch::Plain,
-        }
+    pub(super) const fn new(colour: Colour, hatch: Hatch) -> Self {
+        Self { colour, hatch }
     }
 
     /// Colour of its hatch.
-    pub(super) fn line(self) -> RGBColor {
+    pub(super) fn line(self) -> Colour {
         if lightness(self.colour) < LIGHT {
             WHITE
         } else {
@@ -69,17 +71,17 @@ impl Fill {
 
     /// Whether its hatch has lines that rise, or fall, to the right.
     pub(super) fn has_lines(self, rising: bool) -> bool {
-        match self.hatch {
-            Hatch::Plain => false,
-            Hatch::Rising => rising,
-            Hatch::Falling => !rising,
-            Hatch::Crossed => true,
-        }
+        let along = if rising {
+            Hatch::Rising
+        } else {
+            Hatch::Falling
+        };
+        self.hatch == Hatch::Crossed || self.hatch == along
     }
 }
 
 /// Lightness of a colour from 0 to 100 (CIE L* of sRGB): what is left of it in grey print.
-pub(super) fn lightness(RGBColor(red, green, blue): RGBColor) -> f64 {
+pub(super) fn lightness(Colour(red, green, blue): Colour) -> f64 {
     let linear = |level: u8| {
         let v = f64::from(level) / 255.0;
         if v <= 0.04045 {
@@ -109,6 +111,33 @@ impl Dash {
     pub(super) fn of(index: usize) -> Self {
         [Self::Solid, Self::Dashed, Self::Dotted][index % 3]
     }
+
+    /// Lengths of a stroke and of the gap after it, in pixels.
+    pub(super) fn pattern(self) -> Option<&'static str> {
+        match self {
+            Self::Solid => None,
+            Self::Dashed => Some("7 4"),
+            Self::Dotted => Some("2 3.5"),
+        }
+    }
+}
+
+/// How a line is drawn.
+#[derive(Clone, Copy)]
+pub(super) struct Stroke {
+    pub colour: Colour,
+    pub width: f64,
+    pub dash: Dash,
+}
+
+impl Stroke {
+    pub(super) fn new(colour: Colour, width: f64, dash: Dash) -> Self {
+        Self {
+            colour,
+            width,
+            dash,
+        }
+    }
 }
 
 /// Outline of a marker.
@@ -126,24 +155,14 @@ impl Shape {
         [Self::Circle, Self::Square, Self::Triangle, Self::Diamond][index % 4]
     }
 
-    /// Half the marker's size in nominal pixels. They differ, so that of markers at the same place
-    /// all are seen.
-    pub(super) fn size(self) -> f64 {
-        match self {
-            Self::Circle => 5.5,
-            Self::Square => 3.8,
-            Self::Triangle => 3.4,
-            Self::Diamond => 3.0,
-        }
-    }
-
-    /// Corners for the size 1; none for a circle.
+    /// Corners about a place, in pixels; none for a circle. The sizes differ, so that of markers at the same place all are
+    /// seen.
     pub(super) fn corners(self) -> &'static [(f64, f64)] {
         match self {
             Self::Circle => &[],
-            Self::Square => &[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)],
-            Self::Triangle => &[(0.0, -1.25), (1.1, 0.75), (-1.1, 0.75)],
-            Self::Diamond => &[(0.0, -1.3), (1.3, 0.0), (0.0, 1.3), (-1.3, 0.0)],
+            Self::Square => &[(-3.4, -3.4), (3.4, -3.4), (3.4, 3.4), (-3.4, 3.4)],
+            Self::Triangle => &[(0.0, -4.25), (3.75, 2.55), (-3.75, 2.55)],
+            Self::Diamond => &[(0.0, -3.9), (3.9, 0.0), (0.0, 3.9), (-3.9, 0.0)],
         }
     }
 }

@@ -5,11 +5,9 @@ use std::ops::Range;
 
 use scene::{Configuration, Run};
 
-use super::canvas::{
-    ABOVE, Axes, BELOW, Entry, Key, LEFT, Panel, RIGHT, Stroke, TITLE, legend_height, picture,
-};
+use super::canvas::{Axes, Axis, Entry, Key, Layout, Panel};
 use super::range::{sound, widened};
-use super::style::{Dash, INK, colour};
+use super::style::{Colour, Dash, INK, Stroke, colour};
 use super::{FigureError, approach_title, distinct, methods, number, same};
 use compare::{Encounter, Method};
 
@@ -165,55 +163,38 @@ pub fn trajectories(encounters: &[Encounter]) -> Result<String, FigureError> {
         (betas.len(), methods.len())
     };
     let plot_width = if columns <= 2 { 420.0 } else { 330.0 };
-    let plot = (
-        plot_width,
-        plot_width * (y.end - y.start) / (x.end - x.start),
-    );
-    let cell = (LEFT + plot.0 + RIGHT, ABOVE + plot.1 + BELOW);
-    let width = cell.0 * columns as f64;
-    let legend = legend(&offsets, &heights);
-    let legend_top = TITLE + cell.1 * rows as f64 + 8.0;
-    let height = legend_top + legend_height(&legend, width);
+    let plot_height = plot_width * (y.end - y.start) / (x.end - x.start);
+    let layout = Layout::new((plot_width, plot_height), columns, rows);
     let mut title = approach_title(first).to_owned();
     if let [beta] = betas[..] {
         title += &format!(", β = {}", number(beta));
     }
-
-    picture((width, height), &title, |canvas| {
-        for (number_of_method, &method) in methods.iter().enumerate() {
-            for (number_of_beta, &beta) in betas.iter().enumerate() {
-                let (column, row) = if betas.len() == 1 {
-                    (number_of_method, 0)
-                } else {
-                    (number_of_beta, number_of_method)
-                };
-                let corner = (
-                    cell.0 * column as f64 + LEFT,
-                    TITLE + cell.1 * row as f64 + ABOVE,
-                );
-                let axes = Axes {
-                    title: panel_title(method, beta, row * columns + column, betas.len() > 1),
-                    x: x.clone(),
-                    y: y.clone(),
-                    x_title: "x (radii a)",
-                    y_title: "y (radii a)",
-                    ticks: (7, 7),
-                };
-                let shown = |e: &Encounter| e.method == method && same(e.case.beta, beta);
-                let tracks = tracks.iter().filter(|(e, _)| shown(e));
-                canvas.panel(corner, plot, axes, |panel| {
-                    for (encounter, track) in tracks.clone() {
-                        draw_spheres(panel, track, series(encounter))?;
-                    }
-                    for (encounter, track) in tracks {
-                        draw_lines(panel, track, series(encounter))?;
-                    }
-                    Ok(())
-                })?;
-            }
+    let mut canvas = layout.canvas(&title, &legend(&offsets, &heights));
+    for (number_of_method, &method) in methods.iter().enumerate() {
+        for (number_of_beta, &beta) in betas.iter().enumerate() {
+            let (column, row) = if betas.len() == 1 {
+                (number_of_method, 0)
+            } else {
+                (number_of_beta, number_of_method)
+            };
+            let axes = Axes {
+                title: panel_title(method, beta, row * columns + column, betas.len() > 1),
+                x: Axis::new(&x, "x (radii a)", 7),
+                y: Axis::new(&y, "y (radii a)", 7),
+            };
+            let shown = |e: &Encounter| e.method == method && same(e.case.beta, beta);
+            let tracks = tracks.iter().filter(|(e, _)| shown(e));
+            canvas.panel(layout.corner(column, row), layout.plot, axes, |panel| {
+                for (encounter, track) in tracks.clone() {
+                    draw_spheres(panel, track, series(encounter));
+                }
+                for (encounter, track) in tracks {
+                    draw_lines(panel, track, series(encounter));
+                }
+            });
         }
-        canvas.legend(&legend, legend_top, width)
-    })
+    }
+    Ok(canvas.finish())
 }
 
 fn panel_title(method: Method, beta: f64, index: usize, with_beta: bool) -> String {
@@ -226,13 +207,7 @@ fn panel_title(method: Method, beta: f64, index: usize, with_beta: bool) -> Stri
 }
 
 fn legend(offsets: &[f64], heights: &[f64]) -> Vec<Vec<Entry>> {
-    let stroke = |colour, dash| {
-        Key::Line(Stroke {
-            colour,
-            width: 2.0,
-            dash,
-        })
-    };
+    let line = |colour: Colour, dash| Key::Line(Stroke::new(colour, 2.0, dash));
     let mut entries: Vec<Entry> = Vec::new();
     for (i, dx) in offsets.iter().enumerate() {
         for (j, dz) in heights.iter().enumerate() {
@@ -240,13 +215,13 @@ fn legend(offsets: &[f64], heights: &[f64]) -> Vec<Vec<Entry>> {
             if heights.len() > 1 {
                 label += &format!(", δz = {}", number(*dz));
             }
-            let key = stroke(colour(i * heights.len() + j), Dash::Solid);
+            let key = line(colour(i * heights.len() + j), Dash::Solid);
             entries.push((key, label));
         }
     }
     let signs = vec![
-        (stroke(INK, Dash::Solid), "squirmer 1".to_owned()),
-        (stroke(INK, Dash::Dashed), "squirmer 2".to_owned()),
+        (line(INK, Dash::Solid), "squirmer 1".to_owned()),
+        (line(INK, Dash::Dashed), "squirmer 2".to_owned()),
         (Key::Dot, format!("every Δt = {}", number(TICK_INTERVAL))),
         (
             Key::Sphere,
@@ -286,30 +261,23 @@ fn window(tracks: &[(&Encounter, Track)]) -> Option<(Range<f64>, Range<f64>)> {
     Some((widened(&x, least), widened(&y, least)))
 }
 
-fn draw_spheres(panel: &Panel<'_, '_>, track: &Track, series: usize) -> Result<(), FigureError> {
+fn draw_spheres(panel: &mut Panel<'_>, track: &Track, series: usize) {
     let at = &track.nearest;
     if at.gap > DRAWN_GAP {
-        return Ok(());
+        return;
     }
     for k in [0, 1] {
         if panel.shows(at.centres[k], 1.0) {
-            panel.sphere(at.centres[k], at.headings[k], colour(series))?;
+            panel.sphere(at.centres[k], at.headings[k], colour(series));
         }
     }
-    Ok(())
 }
 
-fn draw_lines(panel: &Panel<'_, '_>, track: &Track, series: usize) -> Result<(), FigureError> {
+fn draw_lines(panel: &mut Panel<'_>, track: &Track, series: usize) {
     for (k, dash) in [(0, Dash::Solid), (1, Dash::Dashed)] {
-        let stroke = Stroke {
-            colour: colour(series),
-            width: 1.8,
-            dash,
-        };
-        panel.line(&track.line(k), stroke)?;
+        panel.line(&track.line(k), Stroke::new(colour(series), 1.8, dash));
         for tick in track.ticks(k) {
-            panel.dot(tick, colour(series))?;
+            panel.dot(tick, colour(series));
         }
     }
-    Ok(())
 }

@@ -2,11 +2,9 @@
 
 use scene::Outcome;
 
-use super::canvas::{
-    ABOVE, Axes, BELOW, Entry, Key, LEFT, MapCell, RIGHT, TITLE, legend_height, picture, whole_side,
-};
+use super::canvas::{Axes, Axis, Entry, Key, LEFT, Layout, MapCell, RIGHT, whole_side};
 use super::map::{draw, outcome_fill};
-use super::style::{Fill, Hatch};
+use super::style::{Colour, Fill, Hatch};
 use super::{FigureError, distinct, number, same};
 use compare::Method;
 use compare::maps::{TRUST_CLASSES, TrustRow, TrustShares};
@@ -16,12 +14,12 @@ const SIDE: f64 = 420.0;
 
 /// Fills of the classes: darker is worse, and what has no difference of deflections is hatched.
 const FILLS: [Fill; 7] = [
-    Fill::new((239, 243, 255), Hatch::Plain),
-    Fill::new((158, 202, 225), Hatch::Plain),
-    Fill::new((66, 146, 198), Hatch::Plain),
-    Fill::new((8, 69, 148), Hatch::Plain),
-    Fill::new((190, 190, 190), Hatch::Rising),
-    Fill::new((213, 94, 0), Hatch::Falling),
+    Fill::new(Colour(239, 243, 255), Hatch::Plain),
+    Fill::new(Colour(158, 202, 225), Hatch::Plain),
+    Fill::new(Colour(66, 146, 198), Hatch::Plain),
+    Fill::new(Colour(8, 69, 148), Hatch::Plain),
+    Fill::new(Colour(190, 190, 190), Hatch::Rising),
+    Fill::new(Colour(213, 94, 0), Hatch::Falling),
     outcome_fill(None),
 ];
 
@@ -56,22 +54,22 @@ pub fn trust(rows: &[TrustRow]) -> Result<String, FigureError> {
     let undecided = outcome_fill(Some(Outcome::Undecided));
     occurring.extend(entries.iter().find(|(fill, _)| *fill == undecided));
     occurring.retain(|known| entries.contains(known));
-    let legend = legend(occurring);
-    let width = LEFT + side + 5.0 * RIGHT;
-    let legend_top = TITLE + ABOVE + side + BELOW + 8.0;
-    let height = legend_top + legend_height(&legend, width);
-    picture((width, height), &title, |canvas| {
-        let title = "Difference of the deflections".to_owned();
-        let cells = entries.iter().map(|(fill, _)| MapCell {
-            fill: *fill,
-            is_data: true,
-        });
-        draw(canvas, (LEFT, TITLE + ABOVE), title, (side, side), cells)?;
-        canvas.legend(&legend, legend_top, width)
-    })
+    // Room right of the map, for the longest entry of the legend.
+    let layout = Layout {
+        right: 4.0 * RIGHT,
+        ..Layout::new((side, side), 1, 1)
+    };
+    let mut canvas = layout.canvas(&title, &legend(occurring));
+    let title = "Difference of the deflections".to_owned();
+    let cells = entries.iter().map(|(fill, _)| MapCell {
+        fill: *fill,
+        is_data: true,
+    });
+    draw(&mut canvas, layout.corner(0, 0), title, side, cells)?;
+    Ok(canvas.finish())
 }
 
-/// Size of a panel of shares.
+/// Least width of a panel of shares, and its height.
 const PLOT: (f64, f64) = (200.0, 240.0);
 
 /// Least width of a picture of shares: its title and legend need it.
@@ -96,44 +94,35 @@ pub fn trust_against_offset(rows: &[TrustShares]) -> Result<String, FigureError>
     }
     let x = first - 0.5 * step..last + 0.5 * step;
     let betas = distinct(rows.iter().map(|row| row.beta));
-    let cell = LEFT + PLOT.0 + RIGHT;
-    let width = (cell * betas.len() as f64).max(LEAST_WIDTH);
-    let margin = 0.5 * (width - cell * betas.len() as f64);
+    let share = LEAST_WIDTH / betas.len() as f64 - LEFT - RIGHT;
+    let layout = Layout::new((PLOT.0.max(share), PLOT.1), betas.len(), 1);
     let occurs = |class: usize| rows.iter().any(|row| row.in_order()[class] > 0.0);
     let classes = FILLS.into_iter().zip(TRUST_CLASSES).enumerate();
     let occurring = classes.filter(|(class, _)| occurs(*class));
     let legend = legend(occurring.map(|(_, entry)| entry));
-    let legend_top = TITLE + ABOVE + PLOT.1 + BELOW + 8.0;
-    let height = legend_top + legend_height(&legend, width);
     let title = format!(
         "Trust in {} against the offset out of the plane",
         title_of(&rows[0].method).to_lowercase()
     );
-    picture((width, height), &title, |canvas| {
-        for (column, &beta) in betas.iter().enumerate() {
-            let corner = (margin + cell * column as f64 + LEFT, TITLE + ABOVE);
-            let axes = Axes {
-                title: format!("β = {}", number(beta)),
-                x: x.clone(),
-                y: 0.0..100.0,
-                x_title: "offset δz (radii)",
-                y_title: "share of incoming angles (%)",
-                ticks: (offsets.len().min(6), 6),
-            };
-            canvas.panel(corner, PLOT, axes, |panel| {
-                for row in rows.iter().filter(|row| same(row.beta, beta)) {
-                    let mut base = 0.0;
-                    for (share, fill) in row.in_order().into_iter().zip(FILLS) {
-                        let top = base + 100.0 * share;
-                        panel.bar((row.dz, FILLED * step), (base, top), fill)?;
-                        base = top;
-                    }
+    let mut canvas = layout.canvas(&title, &legend);
+    for (column, &beta) in betas.iter().enumerate() {
+        let axes = Axes {
+            title: format!("β = {}", number(beta)),
+            x: Axis::new(&x, "offset δz (radii)", offsets.len().min(6)),
+            y: Axis::new(&(0.0..100.0), "share of incoming angles (%)", 6),
+        };
+        canvas.panel(layout.corner(column, 0), layout.plot, axes, |panel| {
+            for row in rows.iter().filter(|row| same(row.beta, beta)) {
+                let mut base = 0.0;
+                for (share, fill) in row.in_order().into_iter().zip(FILLS) {
+                    let top = base + 100.0 * share;
+                    panel.bar((row.dz, FILLED * step), (base, top), fill);
+                    base = top;
                 }
-                Ok(())
-            })?;
-        }
-        canvas.legend(&legend, legend_top, width)
-    })
+            }
+        });
+    }
+    Ok(canvas.finish())
 }
 
 fn title_of(method: &str) -> String {

@@ -2,11 +2,9 @@
 
 use std::ops::Range;
 
-use super::canvas::{
-    ABOVE, Axes, BELOW, Entry, Key, LEFT, RIGHT, Scale, Stroke, TITLE, legend_height, picture,
-};
+use super::canvas::{Axes, Axis, Entry, Key, Layout};
 use super::range::decades;
-use super::style::{Dash, Shape, colour};
+use super::style::{Dash, Shape, Stroke, colour};
 use super::{FigureError, approach_title};
 use compare::Approach;
 use compare::cost::{CostRow, Part};
@@ -153,67 +151,52 @@ fn draw(plots: &[Plot], words: &Words) -> Result<String, FigureError> {
         decades(places().map(|p| p.1)),
     );
     let models = labels(all().map(|c| &c.model));
-    let cell = (LEFT + PLOT.0 + RIGHT, ABOVE + PLOT.1 + BELOW);
     let columns = COLUMNS.min(plots.len());
-    let width = cell.0 * columns as f64;
+    let layout = Layout::new(PLOT, columns, plots.len().div_ceil(columns));
     let entry = |(i, model): (usize, &&str)| -> Entry {
         (
             Key::MarkedLine(stroke(i), Shape::of(i)),
             (*model).to_owned(),
         )
     };
-    let legend: Vec<Vec<Entry>> = vec![models.iter().enumerate().map(entry).collect()];
-    let rows = plots.len().div_ceil(columns) as f64;
-    let legend_top = TITLE + cell.1 * rows + 8.0;
-    let height = legend_top + legend_height(&legend, width);
-    picture((width, height), words.title, |canvas| {
-        for (i, plot) in plots.iter().enumerate() {
-            let (column, row) = ((i % columns) as f64, (i / columns) as f64);
-            let corner = (cell.0 * column + LEFT, TITLE + ABOVE + cell.1 * row);
-            let index = |curve: &Curve| models.iter().position(|m| *m == curve.model).unwrap_or(0);
-            let scales = (Scale::Powers, Scale::Powers);
-            canvas.scaled_panel(corner, PLOT, axes(plot, words, (&x, &y)), scales, |panel| {
-                for curve in &plot.curves {
-                    panel.line(&curve.line, stroke(index(curve)))?;
+    let legend: Vec<Entry> = models.iter().enumerate().map(entry).collect();
+    let mut canvas = layout.canvas(words.title, &[legend]);
+    for (i, plot) in plots.iter().enumerate() {
+        let corner = layout.corner(i % columns, i / columns);
+        let index = |curve: &Curve| models.iter().position(|m| *m == curve.model).unwrap_or(0);
+        canvas.panel(corner, PLOT, axes(plot, words, (&x, &y)), |panel| {
+            for curve in &plot.curves {
+                panel.line(&curve.line, stroke(index(curve)));
+            }
+            for curve in &plot.curves {
+                // Open where others may lie behind: models without a knob, and worst cases over dots.
+                let filled = curve.dots.is_empty() && curve.line.len() > 1;
+                let index = index(curve);
+                for &at in &curve.line {
+                    panel.marker(at, colour(index), Shape::of(index), filled);
                 }
-                for curve in &plot.curves {
-                    // Open where others may lie behind: models without a knob, and worst cases over dots.
-                    let filled = curve.dots.is_empty() && curve.line.len() > 1;
-                    let index = index(curve);
-                    for &at in &curve.line {
-                        panel.marker(at, colour(index), Shape::of(index), filled)?;
-                    }
+            }
+            for curve in plot.curves.iter().rev() {
+                for &at in &curve.dots {
+                    panel.dot(at, colour(index(curve)));
                 }
-                for curve in plot.curves.iter().rev() {
-                    for &at in &curve.dots {
-                        panel.dot(at, colour(index(curve)))?;
-                    }
-                }
-                Ok(())
-            })?;
-        }
-        canvas.legend(&legend, legend_top, width)
-    })
+            }
+        });
+    }
+    Ok(canvas.finish())
 }
 
 fn axes(plot: &Plot, words: &Words, (x, y): (&Range<f64>, &Range<f64>)) -> Axes {
-    let ticks = |range: &Range<f64>| (range.end - range.start).round() as usize + 1;
+    let ticks = |range: &Range<f64>| ((range.end - range.start).round() as usize + 1).min(12);
     Axes {
         title: plot.title.clone(),
-        x: x.clone(),
-        y: y.clone(),
-        x_title: words.x_title,
-        y_title: words.y_title,
-        ticks: (ticks(x).min(12), ticks(y).min(12)),
+        x: Axis::powers(x, words.x_title, ticks(x)),
+        y: Axis::powers(y, words.y_title, ticks(y)),
     }
 }
 
 fn stroke(index: usize) -> Stroke {
-    Stroke {
-        colour: colour(index),
-        width: 1.5,
-        dash: Dash::of(index / 7),
-    }
+    Stroke::new(colour(index), 1.5, Dash::of(index / 7))
 }
 
 #[cfg(test)]

@@ -1,95 +1,113 @@
 //! Legends: rows of entries, each a symbol and a text.
 
-use plotters::prelude::*;
-
-use super::{Anchor, Canvas, Stroke, TEXT, fine, text_width};
-use crate::figures::FigureError;
-use crate::figures::style::{Fill, INK, Shape};
+use super::{Anchor, Canvas, TEXT, text_width};
+use crate::figures::style::{Colour, Fill, INK, Shape, Stroke};
 
 /// What a legend's entry shows.
 #[derive(Clone, Copy)]
-pub(in crate::figures) enum Key {
+pub(crate) enum Key {
     Line(Stroke),
-    Marker(RGBColor, Shape, bool),
+    Marker(Colour, Shape, bool),
     MarkedLine(Stroke, Shape),
     Dot,
     Sphere,
-    Arrow(RGBColor),
+    Arrow(Colour),
     Patch(Fill),
 }
 
 /// One entry of a legend.
-pub(in crate::figures) type Entry = (Key, String);
+pub(crate) type Entry = (Key, String);
 
-/// Length of a legend's symbol with the room after it, and the room after a whole entry.
-const KEY: f64 = 34.0;
+/// Length of a legend's symbol, the room after it, and the room after a whole entry.
+const KEY: f64 = 29.0;
 const KEY_ROOM: f64 = 8.0;
-const ENTRY_ROOM: f64 = 20.0;
+const ENTRY_ROOM: f64 = 24.0;
 const ENTRY_HEIGHT: f64 = 22.0;
 
-/// Entries in rows no wider than `width`, each group from a new row on, and each row's width.
-fn legend_rows(groups: &[Vec<Entry>], width: f64) -> Vec<(f64, Vec<&Entry>)> {
-    let mut rows: Vec<(f64, Vec<&Entry>)> = Vec::new();
+/// Width of an entry with the room after it.
+fn entry_width(entry: &Entry) -> f64 {
+    KEY + KEY_ROOM + text_width(&entry.1, TEXT) + ENTRY_ROOM
+}
+
+/// Entries in rows no wider than `width`, each group from a new row on.
+fn legend_rows(groups: &[Vec<Entry>], width: f64) -> Vec<Vec<&Entry>> {
+    let mut rows = Vec::new();
     for group in groups {
-        for (number, entry) in group.iter().enumerate() {
-            let needed = KEY + KEY_ROOM + text_width(&entry.1, TEXT) + ENTRY_ROOM;
-            match rows.last_mut() {
-                Some((used, row)) if number > 0 && *used + needed <= width => {
-                    *used += needed;
-                    row.push(entry);
-                }
-                _ => rows.push((needed, vec![entry])),
+        let mut row: Vec<&Entry> = Vec::new();
+        let mut used = -ENTRY_ROOM;
+        for entry in group {
+            let needed = entry_width(entry);
+            if !row.is_empty() && used + needed > width {
+                rows.push(std::mem::take(&mut row));
+                used = -ENTRY_ROOM;
             }
+            used += needed;
+            row.push(entry);
+        }
+        if !row.is_empty() {
+            rows.push(row);
         }
     }
     rows
 }
 
 /// Height of a legend within `width`.
-pub(in crate::figures) fn legend_height(groups: &[Vec<Entry>], width: f64) -> f64 {
+pub(crate) fn legend_height(groups: &[Vec<Entry>], width: f64) -> f64 {
     ENTRY_HEIGHT * legend_rows(groups, width).len() as f64 + 10.0
 }
 
-impl Canvas<'_> {
+impl Canvas {
     /// A legend centred below `top`.
-    pub(in crate::figures) fn legend(
-        &self,
-        groups: &[Vec<Entry>],
-        top: f64,
-        width: f64,
-    ) -> Result<(), FigureError> {
-        for (number, (used, row)) in legend_rows(groups, width).into_iter().enumerate() {
-            let y = top + ENTRY_HEIGHT * (number as f64 + 0.5);
-            let mut x = (width - used + ENTRY_ROOM) / 2.0;
-            for (key, label) in row {
-                self.key(*key, x, y)?;
-                self.text(label, (x + KEY + KEY_ROOM, y), TEXT, Anchor::Left)?;
-                x += KEY + KEY_ROOM + text_width(label, TEXT) + ENTRY_ROOM;
+    pub(super) fn legend(&mut self, groups: &[Vec<Entry>], top: f64, width: f64) {
+        let mut y = top + 0.5 * ENTRY_HEIGHT;
+        for row in legend_rows(groups, width) {
+            let used: f64 = row.iter().copied().map(entry_width).sum();
+            let mut x = 0.5 * (width - used + ENTRY_ROOM);
+            for entry in row {
+                self.key(entry.0, x, y);
+                self.text(&entry.1, (x + KEY + KEY_ROOM, y), TEXT, Anchor::Start);
+                x += entry_width(entry);
             }
+            y += ENTRY_HEIGHT;
         }
-        Ok(())
     }
 
-    fn key(&self, key: Key, x: f64, y: f64) -> Result<(), FigureError> {
+    fn key(&mut self, key: Key, x: f64, y: f64) {
         let middle = (x + KEY / 2.0, y);
         let ends = [(x, y), (x + KEY, y)];
         match key {
             Key::Line(stroke) => self.line(&ends, stroke),
             Key::Marker(colour, shape, filled) => self.marker(middle, colour, shape, filled),
             Key::MarkedLine(stroke, shape) => {
-                self.line(&ends, stroke)?;
-                self.marker(middle, stroke.colour, shape, true)
+                self.line(&ends, stroke);
+                self.marker(middle, stroke.colour, shape, true);
             }
             Key::Dot => self.dot(middle, INK),
             Key::Sphere => self.sphere(middle, 9.0, INK),
-            Key::Arrow(colour) => self.arrow((x + 6.0, y), (1.0, 0.0), 22.0, colour),
+            Key::Arrow(colour) => self.arrow((x + 6.0, y), (1.0, 0.0), 17.0, colour),
             Key::Patch(fill) => {
-                let (corner, size) = ((x + 10.0, y - 7.0), (22.0, 14.0));
-                self.patch(corner, size, fill)?;
-                let far = (corner.0 + size.0, corner.1 + size.1);
-                let at = |(x, y)| (fine(x), fine(y));
-                self.draw(&Rectangle::new([at(corner), at(far)], INK.stroke_width(2)))
+                let (corner, size) = ((x + KEY - 22.0, y - 7.0), (22.0, 14.0));
+                self.patch(corner, size, fill);
+                self.frame(corner, size, 0.5);
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_are_within_the_sheet_and_have_each_entry_once() {
+        let entry = |i: usize| (Key::Dot, "x".repeat(1 + i % 30));
+        let groups = [(0..40).map(entry).collect(), vec![], vec![entry(99)]];
+        let rows = legend_rows(&groups, 400.0);
+        assert_eq!(rows.iter().map(Vec::len).sum::<usize>(), 41);
+        assert_eq!(rows.last().map(Vec::len), Some(1), "a group of its own");
+        for row in rows {
+            let used: f64 = row.iter().copied().map(entry_width).sum();
+            assert!(!row.is_empty() && used - ENTRY_ROOM <= 400.0, "{used}");
         }
     }
 }

@@ -1,93 +1,91 @@
-//! Marks on the sheet, in nominal pixels: markers, dots, spheres, arrows and rectangles.
+//! Marks on the sheet: lines, markers, dots, spheres, arrows and rectangles.
 
-use plotters::prelude::*;
+use maud::html;
 
-use super::{Canvas, Stroke, fine, fine_size};
-use crate::figures::FigureError;
-use crate::figures::style::{Dash, Shape};
+use super::{Canvas, px};
+use crate::figures::style::{Colour, Dash, INK, Shape, Stroke, WHITE};
 
-impl Canvas<'_> {
-    pub(super) fn marker(
-        &self,
-        (x, y): (f64, f64),
-        colour: RGBColor,
-        shape: Shape,
-        filled: bool,
-    ) -> Result<(), FigureError> {
-        let size = shape.size();
+/// Points as a polyline or polygon lists them.
+fn listed(points: &[(f64, f64)]) -> String {
+    let places: Vec<_> = points
+        .iter()
+        .map(|(x, y)| format!("{},{}", px(*x), px(*y)))
+        .collect();
+    places.join(" ")
+}
+
+impl Canvas {
+    /// A line through points.
+    pub(super) fn line(&mut self, points: &[(f64, f64)], stroke: Stroke) {
+        let (width, dash) = (px(stroke.width), stroke.dash.pattern());
+        self.draw(html! {
+            polyline points=(listed(points)) fill="none" stroke=(stroke.colour) stroke-width=(width)
+                stroke-dasharray=[dash] stroke-linejoin="round" {}
+        });
+    }
+
+    /// A marker about a place, filled or hollow.
+    pub(super) fn marker(&mut self, at: (f64, f64), colour: Colour, shape: Shape, filled: bool) {
         // A white edge keeps markers apart that share a colour and a place.
         let (fill, edge) = if filled {
             (colour, WHITE)
         } else {
             (WHITE, colour)
         };
-        let (fill, edge) = (fill.filled(), edge.stroke_width(fine_size(1.25)));
-        let at = (fine(x), fine(y));
-        if shape == Shape::Circle {
-            let radius = fine(size);
-            self.draw(&Circle::new(at, radius, fill))?;
-            return self.draw(&Circle::new(at, radius, edge));
-        }
         let corners = shape.corners().iter();
-        let mut corners: Vec<_> = corners
-            .map(|(dx, dy)| (fine(x + dx * size), fine(y + dy * size)))
-            .collect();
-        self.draw(&Polygon::new(corners.clone(), fill))?;
-        corners.extend_from_within(..1);
-        self.draw(&PathElement::new(corners, edge))
+        let corners: Vec<_> = corners.map(|(x, y)| (at.0 + x, at.1 + y)).collect();
+        self.draw(html! {
+            @if corners.is_empty() {
+                circle cx=(px(at.0)) cy=(px(at.1)) r="5.5" fill=(fill) stroke=(edge) stroke-width="1.25" {}
+            } @else {
+                polygon points=(listed(&corners)) fill=(fill) stroke=(edge) stroke-width="1.25" {}
+            }
+        });
     }
 
-    pub(super) fn dot(&self, (x, y): (f64, f64), colour: RGBColor) -> Result<(), FigureError> {
-        self.draw(&Circle::new((fine(x), fine(y)), fine(2.6), colour.filled()))
+    pub(super) fn dot(&mut self, (x, y): (f64, f64), colour: Colour) {
+        self.draw(html! { circle cx=(px(x)) cy=(px(y)) r="2.6" fill=(colour) {} });
     }
 
-    pub(super) fn sphere(
-        &self,
-        (x, y): (f64, f64),
-        radius: f64,
-        colour: RGBColor,
-    ) -> Result<(), FigureError> {
-        let at = (fine(x), fine(y));
-        self.draw(&Circle::new(at, fine(radius), colour.mix(0.14).filled()))?;
-        self.draw(&Circle::new(at, fine(radius), colour.stroke_width(4)))
+    /// A sphere seen from outside: what lies behind it shows through.
+    pub(super) fn sphere(&mut self, (x, y): (f64, f64), radius: f64, colour: Colour) {
+        self.draw(html! {
+            circle cx=(px(x)) cy=(px(y)) r=(px(radius)) fill=(colour) fill-opacity="0.14" stroke=(colour) {}
+        });
     }
 
-    /// An arrow from a point along a unit vector whose second component is upward.
+    /// An arrow of a length along a vector `(along, up)`: a unit vector, or shorter if it points out of the plane.
     pub(super) fn arrow(
-        &self,
-        from: (f64, f64),
+        &mut self,
+        (x, y): (f64, f64),
         (along, up): (f64, f64),
         length: f64,
-        colour: RGBColor,
-    ) -> Result<(), FigureError> {
-        let at = |forward: f64, aside: f64| {
-            let x = from.0 + forward * along - aside * up;
-            let y = from.1 - forward * up - aside * along;
-            (x, y)
+        colour: Colour,
+    ) {
+        // Shares of the length, forward and to the left.
+        let at = |forward: f64, left: f64| {
+            let (dx, dy) = (forward * along - left * up, forward * up + left * along);
+            (x + length * dx, y - length * dy)
         };
-        let stroke = Stroke {
-            colour,
-            width: 1.2,
-            dash: Dash::Solid,
-        };
-        self.line(&[at(0.0, 0.0), at(length - 5.0, 0.0)], stroke)?;
-        let head = [
-            at(length, 0.0),
-            at(length - 7.0, 3.2),
-            at(length - 7.0, -3.2),
-        ];
-        let head = head.map(|(x, y)| (fine(x), fine(y))).to_vec();
-        self.draw(&Polygon::new(head, colour.filled()))
+        let stroke = Stroke::new(colour, 1.3, Dash::Solid);
+        self.line(&[(x, y), at(0.7, 0.0)], stroke);
+        let head = listed(&[at(1.0, 0.0), at(0.6, 0.19), at(0.6, -0.19)]);
+        self.draw(html! { polygon points=(head) fill=(colour) {} });
     }
 
     /// A filled rectangle with its upper left corner at `(x, y)`.
-    pub(in crate::figures) fn rectangle(
-        &self,
-        (x, y): (f64, f64),
-        (width, height): (f64, f64),
-        colour: RGBColor,
-    ) -> Result<(), FigureError> {
-        let corners = [(fine(x), fine(y)), (fine(x + width), fine(y + height))];
-        self.draw(&Rectangle::new(corners, colour.filled()))
+    pub(crate) fn rectangle(&mut self, (x, y): (f64, f64), size: (f64, f64), colour: Colour) {
+        let (width, height) = (px(size.0), px(size.1));
+        self.draw(
+            html! { rect x=(px(x)) y=(px(y)) width=(width) height=(height) fill=(colour) {} },
+        );
+    }
+
+    /// The outline of a rectangle with its upper left corner at `(x, y)`.
+    pub(super) fn frame(&mut self, (x, y): (f64, f64), size: (f64, f64), line: f64) {
+        let (width, height, line) = (px(size.0), px(size.1), px(line));
+        self.draw(html! {
+            rect x=(px(x)) y=(px(y)) width=(width) height=(height) fill="none" stroke=(INK) stroke-width=(line) {}
+        });
     }
 }

@@ -1,39 +1,30 @@
-//! The sheet of a picture: its size and title, texts and lines; panels, axes, marks, legends and maps in the modules below.
+//! The sheet of a picture: its size and title, places of panels, and texts; what is drawn on it in the modules below.
 //!
-//! Plotters rounds coordinates to whole pixels. Pictures are therefore drawn at [`FINENESS`] times
-//! their nominal size, and the SVG's header scales them back. Lengths here are nominal pixels.
+//! Lengths are in pixels, x to the right and y downward from the upper left corner.
 
 mod axes;
-mod image;
+mod fill;
 mod legend;
 mod marks;
 mod panel;
 mod ticks;
 
-use std::cell::RefCell;
+use maud::{Markup, PreEscaped, html};
 
-use plotters::coord::Shift;
-use plotters::element::{DashedPathElement, Drawable, PointCollection};
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
+use super::style::{INK, WHITE};
 
-use super::FigureError;
-use super::style::{Dash, INK};
-
-pub(super) use axes::Axes;
-pub(super) use image::whole_side;
+pub(super) use axes::{Axes, Axis};
+pub(super) use fill::{Map, MapCell, whole_side};
 pub(super) use legend::{Entry, Key, legend_height};
-pub(super) use panel::{MapCell, Panel};
-pub(super) use ticks::Scale;
+pub(super) use panel::Panel;
 
-/// Drawn pixels per nominal pixel.
-const FINENESS: f64 = 4.0;
-
-/// Size of tick labels, legends and axis titles.
-pub(super) const TEXT: f64 = 14.0;
+/// Size of tick labels, legends and axis titles; of the titles of panels, and of the picture's.
+pub(super) const TEXT: f64 = 12.0;
+const PANEL_TEXT: f64 = 13.0;
+const TITLE_TEXT: f64 = 16.0;
 
 /// Room for the tick labels and the title of the y axis, left of a plot.
-pub(super) const LEFT: f64 = 62.0;
+pub(super) const LEFT: f64 = 70.0;
 
 /// Room for the tick labels and the title of the x axis, below a plot.
 pub(super) const BELOW: f64 = 50.0;
@@ -44,137 +35,161 @@ pub(super) const ABOVE: f64 = 30.0;
 /// Room right of a plot.
 pub(super) const RIGHT: f64 = 16.0;
 
+/// More room right of all: half of a label at the end of an axis.
+const EDGE: f64 = 8.0;
+
 /// Height of the picture's title.
 pub(super) const TITLE: f64 = 36.0;
 
-/// Centres of the axis titles: right of the left edge of [`LEFT`], above the lower edge of [`BELOW`].
-const AXIS_TITLE: f64 = 12.0;
+/// Estimated width of a character as a share of a text's size: there is no font to measure.
+const CHARACTER: f64 = 0.55;
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-
-/// Drawn pixels of a nominal length.
-fn fine(length: f64) -> i32 {
-    (length * FINENESS).round() as i32
-}
-
-/// The same as a width or a radius.
-fn fine_size(length: f64) -> u32 {
-    fine(length).unsigned_abs()
+/// A length as SVG writes it, to two decimals.
+fn px(length: f64) -> String {
+    ((length * 100.0).round() / 100.0 + 0.0).to_string()
 }
 
 /// Estimated width of a text.
 fn text_width(text: &str, size: f64) -> f64 {
-    0.55 * size * text.chars().count() as f64
+    CHARACTER * size * text.chars().count() as f64
 }
 
 /// How a text lies about its point.
-#[derive(Clone, Copy)]
-enum Anchor {
-    Left,
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Anchor {
+    Start,
     Middle,
+    End,
+    /// Reading upward, and centred.
     Upright,
 }
 
-/// A picture in the making.
-pub(super) struct Canvas<'a> {
-    area: Area<'a>,
-    /// Pixel pictures, which plotters cannot embed: they are added to the finished SVG.
-    images: RefCell<String>,
+/// Panels of one size in columns and rows below the picture's title.
+pub(super) struct Layout {
+    pub plot: (f64, f64),
+    pub columns: usize,
+    pub rows: usize,
+    /// More room left of all panels, and right of each one.
+    pub left: f64,
+    pub right: f64,
 }
 
-/// Draws a picture of the nominal size `(width, height)` under a `title`, which also names it to
-/// readers that cannot see it.
-pub(super) fn picture(
-    (width, height): (f64, f64),
-    title: &str,
-    paint: impl FnOnce(&Canvas<'_>) -> Result<(), FigureError>,
-) -> Result<String, FigureError> {
-    let mut svg = String::new();
-    let images;
-    let size = (fine_size(width), fine_size(height));
-    {
-        let area = SVGBackend::with_string(&mut svg, size).into_drawing_area();
-        area.fill(&WHITE).map_err(FigureError::drawing)?;
-        let canvas = Canvas {
-            area,
-            images: RefCell::default(),
-        };
-        canvas.text(title, (width / 2.0, TITLE / 2.0), 18.0, Anchor::Middle)?;
-        paint(&canvas)?;
-        canvas.area.present().map_err(FigureError::drawing)?;
-        images = canvas.images.take();
-    }
-    let svg = svg.replacen("</svg>", &format!("{images}</svg>"), 1);
-    let drawn = format!("width=\"{}\" height=\"{}\"", size.0, size.1);
-    let nominal =
-        format!("role=\"img\" aria-label=\"{title}\" width=\"{width:.0}\" height=\"{height:.0}\"");
-    Ok(svg.replacen(&drawn, &nominal, 1))
-}
-
-/// How a line is drawn.
-#[derive(Clone, Copy)]
-pub(super) struct Stroke {
-    pub colour: RGBColor,
-    pub width: f64,
-    pub dash: Dash,
-}
-
-impl<'a> Canvas<'a> {
-    fn text(
-        &self,
-        text: &str,
-        (x, y): (f64, f64),
-        size: f64,
-        anchor: Anchor,
-    ) -> Result<(), FigureError> {
-        let across = match anchor {
-            Anchor::Left => HPos::Left,
-            Anchor::Middle | Anchor::Upright => HPos::Center,
-        };
-        let turn = match anchor {
-            Anchor::Upright => FontTransform::Rotate270,
-            Anchor::Left | Anchor::Middle => FontTransform::None,
-        };
-        let style = ("sans-serif", fine(size))
-            .into_font()
-            .transform(turn)
-            .color(&INK)
-            .pos(Pos::new(across, VPos::Center));
-        let element = Text::new(text.to_owned(), (fine(x), fine(y)), style);
-        self.area.draw(&element).map_err(FigureError::drawing)
-    }
-
-    /// A line through points of the canvas.
-    fn line(&self, points: &[(f64, f64)], stroke: Stroke) -> Result<(), FigureError> {
-        let style = stroke.colour.stroke_width(fine_size(stroke.width));
-        let points: Vec<_> = points.iter().map(|&(x, y)| (fine(x), fine(y))).collect();
-        let dashed = |on: f64, off: f64| {
-            let element = DashedPathElement::new(points.clone(), fine(on), fine(off), style);
-            self.area.draw(&element)
-        };
-        match stroke.dash {
-            Dash::Solid => self.area.draw(&PathElement::new(points, style)),
-            Dash::Dashed => dashed(7.0, 4.0),
-            Dash::Dotted => dashed(2.0, 3.5),
+impl Layout {
+    pub(super) fn new(plot: (f64, f64), columns: usize, rows: usize) -> Self {
+        let (left, right) = (0.0, 0.0);
+        Self {
+            plot,
+            columns,
+            rows,
+            left,
+            right,
         }
-        .map_err(FigureError::drawing)
     }
 
-    fn draw<E>(&self, element: &E) -> Result<(), FigureError>
-    where
-        for<'b> &'b E: PointCollection<'b, (i32, i32)>,
-        E: Drawable<SVGBackend<'a>>,
-    {
-        self.area.draw(element).map_err(FigureError::drawing)
+    /// Upper left corner of a plot.
+    pub(super) fn corner(&self, column: usize, row: usize) -> (f64, f64) {
+        let width = LEFT + self.plot.0 + RIGHT + self.right;
+        let height = ABOVE + self.plot.1 + BELOW;
+        let x = self.left + LEFT + width * column as f64;
+        (x, TITLE + ABOVE + height * row as f64)
     }
 
-    /// A text that begins at a point.
-    pub(super) fn label(&self, text: &str, at: (f64, f64)) -> Result<(), FigureError> {
-        self.text(text, at, TEXT, Anchor::Left)
+    /// A sheet for these panels with a legend below them.
+    pub(super) fn canvas(&self, title: &str, legend: &[Vec<Entry>]) -> Canvas {
+        let end = self.corner(self.columns.max(1), self.rows);
+        Canvas::new(title, (end.0 - LEFT, end.1 - ABOVE + 8.0), legend)
+    }
+}
+
+/// A picture in the making.
+pub(super) struct Canvas {
+    title: String,
+    width: f64,
+    height: f64,
+    markup: String,
+}
+
+impl Canvas {
+    /// A sheet under a `title`, which also names it to readers that cannot see it: of the given size, and a legend below.
+    pub(super) fn new(title: &str, (width, top): (f64, f64), legend: &[Vec<Entry>]) -> Self {
+        let width = (width + EDGE).round();
+        let height = (top + legend_height(legend, width)).round();
+        let mut canvas = Self {
+            title: title.to_owned(),
+            width,
+            height,
+            markup: "\n".to_owned(),
+        };
+        canvas.rectangle((0.0, 0.0), (width, height), WHITE);
+        let (middle, room) = ((0.5 * width, 0.5 * TITLE), width - 8.0);
+        canvas.fitted(title, middle, TITLE_TEXT, Anchor::Middle, room);
+        canvas.legend(legend, top, width);
+        canvas
     }
 
-    /// A text that reads upward, centred at a point.
-    pub(super) fn upright_label(&self, text: &str, at: (f64, f64)) -> Result<(), FigureError> {
-        self.text(text, at, TEXT, Anchor::Upright)
+    /// The picture as SVG.
+    pub(super) fn finish(self) -> String {
+        let (width, height) = (self.width, self.height);
+        let view = format!("0 0 {width} {height}");
+        let picture = html! {
+            svg role="img" aria-label=(self.title) width=(width) height=(height) viewBox=(view)
+                xmlns="http://www.w3.org/2000/svg" font-family="sans-serif" {
+                (PreEscaped(self.markup))
+            }
+        };
+        picture.0
+    }
+
+    /// Draws an element.
+    fn draw(&mut self, element: Markup) {
+        self.markup += &element.0;
+        self.markup.push('\n');
+    }
+
+    /// Writes a text about a point.
+    pub(super) fn text(&mut self, text: &str, (x, y): (f64, f64), size: f64, anchor: Anchor) {
+        if text.is_empty() {
+            return;
+        }
+        let side = match anchor {
+            Anchor::Start => None,
+            Anchor::Middle | Anchor::Upright => Some("middle"),
+            Anchor::End => Some("end"),
+        };
+        let turn = (anchor == Anchor::Upright).then(|| format!("rotate(-90 {} {})", px(x), px(y)));
+        // Digits and capitals are 0.7 of the size high.
+        let foot = px(y + 0.35 * size);
+        self.draw(html! {
+            text x=(px(x)) y=(foot) font-size=(px(size)) text-anchor=[side] transform=[turn] fill=(INK) { (text) }
+        });
+    }
+
+    /// Writes a text about a point, smaller if it is longer than the room.
+    fn fitted(&mut self, text: &str, at: (f64, f64), size: f64, anchor: Anchor, room: f64) {
+        let shrunk = size * (room / text_width(text, size)).min(1.0);
+        self.text(text, at, shrunk, anchor);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_are_escaped() {
+        let svg = Canvas::new("a < \"b\" & c", (400.0, 100.0), &[]).finish();
+        assert!(
+            svg.contains("aria-label=\"a &lt; &quot;b&quot; &amp; c\""),
+            "{svg}"
+        );
+        assert!(!svg.contains("< \"b"), "{svg}");
+    }
+
+    #[test]
+    fn a_title_that_is_longer_than_the_sheet_is_smaller() {
+        for (length, size) in [(20, "font-size=\"16\""), (80, "font-size=\"6.82\"")] {
+            let svg = Canvas::new(&"x".repeat(length), (300.0, 100.0), &[]).finish();
+            assert!(svg.contains(size), "{svg}");
+        }
     }
 }

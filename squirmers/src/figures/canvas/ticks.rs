@@ -2,87 +2,33 @@
 
 use std::ops::Range;
 
-use crate::figures::number::{decimal, raised};
+use crate::figures::number::{exact, raised, signed};
 
 /// How an axis counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::figures) enum Scale {
+pub(super) enum Scale {
     Linear,
     /// Its coordinates are logarithms to the base ten.
     Powers,
 }
 
 /// Most characters of a label: longer ones leave a common power of ten, and then a common number, to the axis title.
-const LONGEST: usize = 7;
+pub(super) const LONGEST: usize = 7;
 
-/// Numbers from here on have a common power of ten, and so have those with more decimals than these.
+/// Numbers from here on have a common power of ten.
 const LARGE: f64 = 1e6;
-const DECIMALS: i32 = 4;
-
-/// Fewest ticks: a single one tells no scale.
-const FEWEST: usize = 3;
-
-/// Steps of ticks, in powers of ten.
-const STEPS: [i64; 3] = [5, 2, 1];
 
 /// Slack of a count of ticks: an end of the range that is a tick but for rounding is one.
 const SLACK: f64 = 1e-6;
 
 /// Ticks of an axis.
-#[derive(Clone, Debug, PartialEq)]
-pub(in crate::figures) struct Ticks {
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Ticks {
     pub values: Vec<f64>,
     pub labels: Vec<String>,
-    /// What is to be added to the labels.
-    base: Option<String>,
-    /// The power of ten by which the labels are to be multiplied.
+    /// What is to be added to the labels, once they have been multiplied by this power of ten.
+    base: f64,
     power: i32,
-}
-
-/// Ticks at `n * 10^exponent`, `n` in steps.
-struct Places {
-    ns: Vec<i64>,
-    step: i64,
-    exponent: i32,
-}
-
-impl Places {
-    /// The closest ones in steps of one, two or five, no more than `most`, and no closer than `finest` powers of ten.
-    fn new(range: &Range<f64>, most: usize, finest: i32) -> Self {
-        let extent = range.end - range.start;
-        let mut exponent = (extent.log10().floor() as i32 + 1).max(finest);
-        let mut places = Self::at(range, 1, exponent);
-        while exponent > finest {
-            exponent -= 1;
-            for step in STEPS {
-                let closer = Self::at(range, step, exponent);
-                if closer.ns.len() > most {
-                    return places;
-                }
-                places = closer;
-            }
-        }
-        places
-    }
-
-    fn at(range: &Range<f64>, step: i64, exponent: i32) -> Self {
-        let unit = value(step, exponent);
-        let first = (range.start / unit - SLACK).ceil() as i64;
-        let last = (range.end / unit + SLACK).floor() as i64;
-        Self {
-            ns: (first..=last).map(|k| k * step).collect(),
-            step,
-            exponent,
-        }
-    }
-
-    fn values(&self) -> Vec<f64> {
-        self.ns.iter().map(|n| value(*n, self.exponent)).collect()
-    }
-
-    fn step(&self) -> f64 {
-        value(self.step, self.exponent)
-    }
 }
 
 /// `n * 10^exponent`, rounded once.
@@ -95,139 +41,109 @@ fn value(n: i64, exponent: i32) -> f64 {
     }
 }
 
+/// Labels of `(n - base) * 10^exponent`, and the power of ten that they leave out.
+fn labels(ns: &[i64], base: i64, exponent: i32) -> (Vec<String>, i32) {
+    let without = |power: i32| -> Vec<String> {
+        let text = |n: &i64| signed(&value(n - base, exponent - power).to_string());
+        ns.iter().map(text).collect()
+    };
+    let sizes = ns.iter().map(|n| value(n - base, exponent).abs());
+    let size = sizes.fold(0.0, f64::max);
+    let plain = without(0);
+    if size == 0.0 || (size < LARGE && are_short(&plain)) {
+        return (plain, 0);
+    }
+    // The logarithm of a whole power may lie below it by rounding.
+    let power = (size.log10() + 1e-9).floor() as i32;
+    (without(power), power)
+}
+
+fn longest(labels: &[String]) -> usize {
+    labels.iter().map(|l| l.chars().count()).max().unwrap_or(0)
+}
+
+fn are_short(labels: &[String]) -> bool {
+    longest(labels) <= LONGEST
+}
+
 impl Ticks {
-    /// About `most` ticks over a range that can be drawn. `fits` says whether labels of so many characters have room,
-    /// the ticks a share of the axis apart.
+    /// The closest ticks over a range that can be drawn, no more than `most` and if possible two, in steps of one, two or
+    /// five. `fits` says whether labels of so many characters have room, the ticks a share of the axis apart.
     pub(super) fn new(
         range: &Range<f64>,
         most: usize,
         scale: Scale,
         fits: impl Fn(usize, f64) -> bool,
     ) -> Self {
+        let extent = range.end - range.start;
+        let finest = (extent / most as f64).log10().floor() as i32;
         let finest = match scale {
-            Scale::Linear => i32::MIN,
-            Scale::Powers => 0,
+            Scale::Linear => finest,
+            Scale::Powers => finest.max(0),
         };
-        let with = |most: usize| {
-            let places = Places::new(range, most, finest);
-            let share = places.step() / (range.end - range.start);
-            let ticks = match scale {
-                Scale::Linear => Self::linear(&places),
-                Scale::Powers => Self::powers(&places),
-            };
-            let longest = ticks.labels.iter().map(|l| l.chars().count()).max();
-            (fits(longest.unwrap_or(0), share), ticks)
+        let steps = (finest..=finest + 3).flat_map(|exponent| [1, 2, 5].map(|n| (n, exponent)));
+        let all: Vec<Self> = steps
+            .map(|(n, exponent)| Self::at(range, n, exponent, scale))
+            .filter(|ticks| ticks.values.len() <= most)
+            .collect();
+        let mut several = all.iter().filter(|ticks| ticks.values.len() > 1);
+        let has_room = |ticks: &&Self| {
+            let share = (ticks.values[1] - ticks.values[0]) / extent;
+            fits(longest(&ticks.labels), share)
         };
-        let fewest = FEWEST.min(most);
-        let mut fewer = (fewest..=most).rev().map(with);
-        let fitting = fewer.find_map(|(fits, ticks)| fits.then_some(ticks));
-        fitting.unwrap_or_else(|| with(fewest).1)
+        let fitting = several.clone().find(has_room);
+        let best = fitting.or(several.next_back()).or(all.first());
+        best.cloned().unwrap_or_default()
     }
 
-    fn powers(places: &Places) -> Self {
-        let label = |v: &f64| raised(*v as i32);
-        let values = places.values();
-        Self {
-            labels: values.iter().map(label).collect(),
-            values,
-            base: None,
-            power: 0,
-        }
-    }
-
-    fn linear(places: &Places) -> Self {
-        let values = places.values();
-        let exponent = places.exponent;
-        let labels = |base: i64, power: i32| -> Vec<String> {
-            (places.ns.iter())
-                .map(|n| decimal(n - base, exponent - power))
-                .collect()
-        };
-        let short = |labels: &[String]| labels.iter().all(|l| l.chars().count() <= LONGEST);
-        let of = |base: i64| {
-            let size =
-                (places.ns.iter()).fold(0.0_f64, |s, n| s.max(value(n - base, exponent).abs()));
-            let plain = labels(base, 0);
-            if size == 0.0 || (size < LARGE && exponent >= -DECIMALS && short(&plain)) {
-                return (plain, 0);
-            }
-            // The logarithm of a whole power may lie below it by rounding.
-            let power = (size.log10() + 1e-9).floor() as i32;
-            (labels(base, power), power)
-        };
-        let (plain, power) = of(0);
-        match places.ns.first() {
-            Some(&first) if !short(&plain) => {
-                let (labels, power) = of(first);
-                let (digits, exponent) = trimmed(first, exponent);
-                Self {
-                    values,
-                    labels,
-                    base: Some(written(digits, exponent)),
-                    power,
-                }
-            }
-            _ => Self {
+    /// Ticks at the multiples of `step * 10^exponent`.
+    fn at(range: &Range<f64>, step: i64, exponent: i32, scale: Scale) -> Self {
+        let unit = value(step, exponent);
+        let first = (range.start / unit - SLACK).ceil() as i64;
+        let last = (range.end / unit + SLACK).floor() as i64;
+        let ns: Vec<i64> = (first..=last).map(|k| k * step).collect();
+        let values: Vec<f64> = ns.iter().map(|n| value(*n, exponent)).collect();
+        if scale == Scale::Powers {
+            let labels = values.iter().map(|v| raised(*v as i32)).collect();
+            return Self {
                 values,
-                labels: plain,
-                base: None,
-                power,
-            },
+                labels,
+                ..Self::default()
+            };
         }
-    }
-
-    /// The label of one of the values.
-    pub(super) fn label(&self, value: f64) -> String {
-        let place = self.values.iter().position(|v| v.total_cmp(&value).is_eq());
-        place.map_or_else(String::new, |i| self.labels[i].clone())
+        let mut base = 0;
+        let (mut texts, mut power) = labels(&ns, base, exponent);
+        if !are_short(&texts) {
+            base = ns.first().copied().unwrap_or(0);
+            (texts, power) = labels(&ns, base, exponent);
+        }
+        Self {
+            values,
+            labels: texts,
+            base: value(base, exponent),
+            power,
+        }
     }
 
     /// An axis title, `name (unit)`, that says what is to be done with the labels.
     pub(super) fn titled(&self, title: &str) -> String {
-        let (name, unit) = match title.rsplit_once(" (") {
-            Some((name, unit)) => (name, unit.strip_suffix(')').unwrap_or(unit)),
-            None => (title, ""),
+        let parts = title
+            .strip_suffix(')')
+            .and_then(|title| title.rsplit_once(" ("));
+        let (name, unit) = parts.unwrap_or((title, ""));
+        let base = match self.base {
+            base if base < 0.0 => format!(" + {}", exact(-base)),
+            base if base > 0.0 => format!(" \u{2212} {}", exact(base)),
+            _ => String::new(),
         };
-        let base = match self.base.as_deref() {
-            Some(base) => match base.strip_prefix('\u{2212}') {
-                Some(size) => format!(" + {size}"),
-                None => format!(" \u{2212} {base}"),
-            },
-            None => String::new(),
+        let power = match self.power {
+            0 => String::new(),
+            power => raised(power),
         };
-        let unit = match (self.power, unit) {
-            (0, unit) => unit.to_owned(),
-            (power, "") => raised(power),
-            (power, unit) => format!("{} {unit}", raised(power)),
-        };
-        if unit.is_empty() {
-            format!("{name}{base}")
-        } else {
-            format!("{name}{base} ({unit})")
+        match format!("{power} {unit}").trim() {
+            "" => format!("{name}{base}"),
+            unit => format!("{name}{base} ({unit})"),
         }
-    }
-}
-
-/// The same number without trailing zeros in its digits.
-fn trimmed(mut n: i64, mut exponent: i32) -> (i64, i32) {
-    while n != 0 && n % 10 == 0 {
-        (n, exponent) = (n / 10, exponent + 1);
-    }
-    (n, exponent)
-}
-
-/// All digits of a number, with a power of ten where it would otherwise be a row of zeros.
-fn written(n: i64, exponent: i32) -> String {
-    let plain = decimal(n, exponent);
-    let digits = n.unsigned_abs().to_string().len();
-    if plain.chars().count() <= digits + 3 {
-        return plain;
-    }
-    let point = digits as i32 - 1;
-    let text = format!("{}·{}", decimal(n, -point), raised(exponent + point));
-    match n {
-        1 | -1 => text.replacen("1·", "", 1),
-        _ => text,
     }
 }
 
@@ -257,10 +173,10 @@ mod tests {
                 None => text.parse().unwrap(),
             }
         };
-        let base = ticks.base.as_deref().map_or(0.0, plain);
-        base + format!("{}e{}", plain(label), ticks.power)
-            .parse::<f64>()
-            .unwrap()
+        plain(&exact(ticks.base))
+            + format!("{}e{}", plain(label), ticks.power)
+                .parse::<f64>()
+                .unwrap()
     }
 
     #[test]
