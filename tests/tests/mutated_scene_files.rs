@@ -1,11 +1,11 @@
-//! Scene files mutated at random: read, and run for a while; `SQUIRMERS_FUZZ` sets their number.
+//! Scene files and families mutated at random: read, and run for a while; `SQUIRMERS_FUZZ` sets their number.
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
-use compare::{Method, Model, ModelOptions, SceneFile};
+use compare::{Family, Method, Mistakes, Model, ModelOptions, SceneFile};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use scene::{Plan, RunOptions};
@@ -30,12 +30,13 @@ fn corpus() -> &'static [String] {
                 .skip(1)
                 .map(|rest| rest.split("```").next().unwrap().to_owned()),
         );
+        texts.extend(Family::PAPER.map(|(_, text)| text.to_owned()));
         texts
     })
 }
 
 /// Pieces that mutations put in.
-const PIECES: [&str; 34] = [
+const PIECES: [&str; 46] = [
     "0",
     "-1",
     "1e308",
@@ -70,6 +71,18 @@ const PIECES: [&str; 34] = [
     "max_steps = 99999999\n",
     "sample_interval = 1e-9\n",
     "swimming_speed = 1e9\n",
+    "[parameters]\n",
+    "dx = \"1\"\n",
+    "\"beta\"",
+    "(",
+    ")",
+    "-",
+    "^",
+    "*",
+    "sin(",
+    "radians",
+    "\\",
+    "δ",
 ];
 
 /// One change of a text: where, how much to take out, what to put in.
@@ -102,18 +115,38 @@ fn mutated(text: &str, mutations: &[Mutation]) -> String {
     text.into_iter().collect()
 }
 
+/// Holds mistakes to what is said of them: there are some, each on one line and in its place.
+fn check(mistakes: &Mistakes) -> Result<(), TestCaseError> {
+    prop_assert!(!mistakes.0.is_empty());
+    for mistake in &mistakes.0 {
+        prop_assert!(mistake.line >= 1 && mistake.column >= 1);
+        prop_assert_eq!(mistake.to_string().lines().count(), 1, "{}", mistake);
+    }
+    Ok(())
+}
+
+/// Makes the scenes of a text for all kinds of values, if it is a family.
+fn read_family(text: &str, value: f64) -> Result<(), TestCaseError> {
+    let family = match Family::parse(text) {
+        Ok(family) => family,
+        Err(mistakes) => return check(&mistakes),
+    };
+    let defaults = family.scene(&[]);
+    prop_assert!(defaults.is_ok(), "{:?}", defaults);
+    for (name, _) in family.parameters() {
+        match family.scene(&[(name, value)]) {
+            Ok(point) => prop_assert!(point.scene.gap().is_ok()),
+            Err(mistakes) => check(&mistakes)?,
+        }
+    }
+    Ok(())
+}
+
 /// Reads a text and, if it is a scene, runs it for a while by a model that needs no table.
 fn read_and_run(text: &str, models: &[Model]) -> Result<(), TestCaseError> {
     let file = match SceneFile::parse(text) {
         Ok(file) => file,
-        Err(mistakes) => {
-            prop_assert!(!mistakes.0.is_empty());
-            for mistake in mistakes.0 {
-                prop_assert!(mistake.line >= 1 && mistake.column >= 1);
-                prop_assert_eq!(mistake.to_string().lines().count(), 1, "{}", mistake);
-            }
-            return Ok(());
-        }
+        Err(mistakes) => return check(&mistakes),
     };
     let model = (models.iter()).find(|model| model.method() == file.method);
     let model = model.unwrap_or(&models[0]);
@@ -148,8 +181,13 @@ fn mutated_scene_files_neither_panic_nor_run_on() {
     let files = prop::sample::select(corpus());
     let mutations = prop::collection::vec(mutation(), 0..6);
     runner
-        .run(&(files, mutations), |(text, mutations)| {
-            read_and_run(&mutated(&text, &mutations), &models)
-        })
+        .run(
+            &(files, mutations, prop::num::f64::ANY),
+            |(text, mutations, value)| {
+                let text = mutated(&text, &mutations);
+                read_family(&text, value)?;
+                read_and_run(&text, &models)
+            },
+        )
         .unwrap();
 }

@@ -3,19 +3,22 @@
 use std::ops::Range;
 
 use bem::Bem;
-use nalgebra::Vector3;
-use scene::{Gravity, Repulsion};
+use scene::{Gap, Gravity, Repulsion, Scene};
 use toml::de::DeValue;
 
-use super::mistakes::Notes;
-use super::table::{Entry, Table, word};
+use super::number::{List, Number, Reader, Rule};
+use super::point::Point;
+use super::table::{Table, word};
 use crate::Method;
 
-/// Hydrodynamics of a scene file.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Hydrodynamics {
+/// The hydrodynamic model of a scene, and how it is set up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Hydrodynamics {
+    /// The method.
     pub method: Method,
+    /// Refinement level of boundary elements, if they run.
     pub mesh: usize,
+    /// Whether every load is solved for, instead of read from a table.
     pub direct: bool,
 }
 
@@ -42,130 +45,144 @@ const FORMS: [(&str, Method); 2] = [
     ("corrected", Method::LtCorrected),
 ];
 
-/// The table `name`, if it is there; anything else under that name is a mistake.
-pub(super) fn table<'a, 'i>(
-    file: &mut Table<'a, 'i>,
-    name: &'static str,
-    notes: &mut Notes<'_>,
-) -> Option<Table<'a, 'i>> {
-    let Entry { key, span, value } = file.get(name)?;
-    match value {
-        DeValue::Table(table) => Some(Table::new(&key, span, table)),
-        _ => {
-            notes.wrong(span, &key, format!("give a table [{name}]"));
-            None
-        }
-    }
-}
+const NEEDED: &str = "give \"none\", \"lubrication\", \"exact\" or \"bem\"";
 
-/// `hydrodynamics`: a word or a table.
+/// `hydrodynamics`: a word or a table; none if it is left out, which is a mistake if it is `needed`.
 pub(super) fn hydrodynamics(
     file: &mut Table<'_, '_>,
-    notes: &mut Notes<'_>,
+    needed: bool,
+    reader: &mut Reader<'_>,
 ) -> Option<Hydrodynamics> {
-    const NEEDED: &str = "give \"none\", \"lubrication\", \"exact\" or \"bem\"";
     let Some(entry) = file.get("hydrodynamics") else {
-        notes.missing(file.span(), "hydrodynamics", NEEDED);
+        if needed {
+            (reader.notes).missing(file.span(), "hydrodynamics", NEEDED);
+        }
         return None;
     };
     let DeValue::Table(inner) = entry.value else {
         let otherwise = " or a table [hydrodynamics]";
-        return word(&entry, notes, &METHODS, otherwise).map(Hydrodynamics::from);
+        return word(&entry, reader, &METHODS, otherwise).map(Hydrodynamics::from);
     };
-    let before = notes.count();
+    let before = reader.notes.count();
     let mut table = Table::new(&entry.key, entry.span, inner);
-    let method = table.word("model", notes, &METHODS);
-    if method.is_none() && notes.count() == before {
-        notes.missing(table.span(), &table.key("model"), NEEDED);
+    let method = table.word("model", reader, &METHODS);
+    if method.is_none() && reader.notes.count() == before {
+        (reader.notes).missing(table.span(), &table.key("model"), NEEDED);
     }
     let mut chosen = Hydrodynamics::from(method.unwrap_or(Method::Isolated));
     // Only keys of the model are known; without one, all are.
     let of = |models: &[Method]| method.is_none_or(|method| models.contains(&method));
     if of(&[Method::Lt]) {
-        chosen.method = table.word("form", notes, &FORMS).unwrap_or(chosen.method);
+        chosen.method = table.word("form", reader, &FORMS).unwrap_or(chosen.method);
     }
     if of(&[Method::Bem]) {
         let (lowest, highest) = Bem::LEVELS;
-        let level = table.whole("level", notes, lowest..=highest);
+        let level = table.whole("level", reader, lowest..=highest);
         chosen.mesh = level.unwrap_or(chosen.mesh);
     }
     if of(&[Method::Exact, Method::Bem]) {
-        chosen.direct = table.flag("direct", notes).unwrap_or(false);
+        chosen.direct = table.flag("direct", reader).unwrap_or(false);
     }
-    table.finish(notes);
-    (notes.count() == before).then_some(chosen)
+    table.finish(reader);
+    (reader.notes.count() == before).then_some(chosen)
 }
 
-/// `repulsion`: none unless there is a word or a table; with its place.
+/// Force of repulsion, per `pi mu a`, that free flight beyond the cut of lubrication theory may leave out.
+const NEGLIGIBLE_FORCE: f64 = 1e-12;
+
+impl Hydrodynamics {
+    /// Lubrication theory flies freely beyond its cut: repulsion must have died out there.
+    fn check_reach(&self, repulsion: Repulsion) -> Result<(), String> {
+        let lubrication = matches!(self.method, Method::Lt | Method::LtCorrected);
+        if lubrication && repulsion.force(Gap::from_ln(lt::CUTOFF.ln())) > NEGLIGIBLE_FORCE {
+            return Err(format!(
+                "lubrication theory ends at a gap of {}: choose kappa2 so large that the repulsion has died out \
+                 there, or other hydrodynamics",
+                lt::CUTOFF
+            ));
+        }
+        Ok(())
+    }
+
+    /// Refuses a start at which the model has no answer.
+    pub(super) fn check_start(&self, scene: &Scene) -> Result<(), String> {
+        let gap = scene.gap().map_err(|error| error.to_string())?;
+        (self.method.check_gap(self.mesh, gap))
+            .map_err(|error| format!("the start is too near: {error}"))
+    }
+}
+
+/// Repulsion as it stands in the file, and where.
+#[derive(Clone, Debug)]
+pub(super) struct RepulsionTemplate {
+    span: Range<usize>,
+    kappa1: Option<Number>,
+    kappa2: Option<Number>,
+}
+
+const POSITIVE: Rule = Rule {
+    allowed: || "a number greater than 0".to_owned(),
+    holds: |value| value > 0.0,
+};
+
+/// `repulsion`: none unless there is a word or a table.
 pub(super) fn repulsion(
     file: &mut Table<'_, '_>,
-    notes: &mut Notes<'_>,
-) -> Option<Option<(Repulsion, Range<usize>)>> {
-    const WORDS: [(&str, Option<Repulsion>); 2] =
-        [("paper", Some(Repulsion::PAPER)), ("off", None)];
-    let Some(entry) = file.get("repulsion") else {
-        return Some(None);
+    reader: &mut Reader<'_>,
+) -> Option<RepulsionTemplate> {
+    let entry = file.get("repulsion")?;
+    let mut template = RepulsionTemplate {
+        span: entry.span.clone(),
+        kappa1: None,
+        kappa2: None,
     };
-    let span = entry.span.clone();
     let DeValue::Table(inner) = entry.value else {
-        let otherwise = " or a table [repulsion]";
-        let word = word(&entry, notes, &WORDS, otherwise)?;
-        return Some(word.map(|repulsion| (repulsion, span)));
+        let words = [("paper", true), ("off", false)];
+        let is_on = word(&entry, reader, &words, " or a table [repulsion]");
+        return (is_on == Some(true)).then_some(template);
     };
-    let before = notes.count();
     let mut table = Table::new(&entry.key, entry.span, inner);
-    let mut kappa = |name, otherwise: f64, notes: &mut Notes<'_>| {
-        (table.number(name, notes, "a number greater than 0", |v| v > 0.0)).unwrap_or(otherwise)
-    };
-    let kappa1 = kappa("kappa1", Repulsion::PAPER.kappa1(), notes);
-    let kappa2 = kappa("kappa2", Repulsion::PAPER.kappa2(), notes);
-    table.finish(notes);
-    if notes.count() > before {
-        return None;
-    }
-    match Repulsion::new(kappa1, kappa2) {
-        Ok(repulsion) => Some(Some((repulsion, span))),
-        Err(error) => {
-            notes.wrong(span, "repulsion", error.to_string());
-            None
-        }
+    template.kappa1 = table.number("kappa1", reader, &POSITIVE);
+    template.kappa2 = table.number("kappa2", reader, &POSITIVE);
+    table.finish(reader);
+    Some(template)
+}
+
+impl RepulsionTemplate {
+    /// The repulsion at a point, if the model can have it.
+    pub(super) fn at(
+        &self,
+        hydrodynamics: Option<Hydrodynamics>,
+        point: &mut Point<'_>,
+    ) -> Option<Repulsion> {
+        let mut kappa = |number: &Option<Number>, otherwise| match number {
+            Some(number) => point.value(number),
+            None => Some(otherwise),
+        };
+        let kappa1 = kappa(&self.kappa1, Repulsion::PAPER.kappa1());
+        let kappa2 = kappa(&self.kappa2, Repulsion::PAPER.kappa2());
+        let repulsion = Repulsion::new(kappa1?, kappa2?);
+        let repulsion = point.accept(repulsion, &self.span, "repulsion")?;
+        let reach = hydrodynamics.map_or(Ok(()), |model| model.check_reach(repulsion));
+        point.accept(reach, &self.span, "repulsion")?;
+        Some(repulsion)
     }
 }
 
-/// `[gravity]`: none unless it is there.
-pub(super) fn gravity(file: &mut Table<'_, '_>, notes: &mut Notes<'_>) -> Option<Option<Gravity>> {
-    let before = notes.count();
-    let Some(mut table) = table(file, "gravity", notes) else {
-        return (notes.count() == before).then_some(None);
-    };
-    let direction = direction(&mut table, "direction", notes);
-    if direction.is_none() && notes.count() == before {
+/// `[gravity]`: its direction; none unless it is there.
+pub(super) fn gravity(file: &mut Table<'_, '_>, reader: &mut Reader<'_>) -> Option<List> {
+    let mut table = file.table("gravity", reader)?;
+    let direction = table.numbers("direction", reader, 2..=3);
+    if direction.is_none() {
         let allowed = "give the vector along which gravity pulls, such as [0, -1]";
-        notes.missing(table.span(), &table.key("direction"), allowed);
+        (reader.notes).missing(table.span(), &table.key("direction"), allowed);
     }
-    table.finish(notes);
-    let (direction, span) = direction?;
-    match Gravity::new(direction) {
-        Ok(gravity) => Some(Some(gravity)),
-        Err(error) => {
-            notes.wrong(span, "gravity.direction", error.to_string());
-            None
-        }
-    }
+    table.finish(reader);
+    direction
 }
 
-/// A vector of two or three numbers.
-pub(super) fn direction(
-    table: &mut Table<'_, '_>,
-    name: &'static str,
-    notes: &mut Notes<'_>,
-) -> Option<(Vector3<f64>, Range<usize>)> {
-    let (numbers, span) = table.numbers(name, notes, 2..=3)?;
-    Some((vector(&numbers), span))
-}
-
-/// Missing components are zero.
-pub(super) fn vector(numbers: &[f64]) -> Vector3<f64> {
-    let at = |i: usize| numbers.get(i).copied().unwrap_or(0.0);
-    Vector3::new(at(0), at(1), at(2))
+/// The gravity along a direction.
+pub(super) fn gravity_at(direction: &List, point: &mut Point<'_>) -> Option<Gravity> {
+    let gravity = Gravity::new(point.vector(direction)?);
+    point.accept(gravity, &direction.span, &direction.key)
 }

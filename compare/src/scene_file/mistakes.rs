@@ -69,6 +69,18 @@ impl fmt::Display for Mistakes {
     }
 }
 
+/// What to say of a name that is not among those that are known.
+pub(super) fn unknown(what: &str, name: &str, known: &[&str]) -> String {
+    let nearest = (known.iter())
+        .map(|known| (strsim::osa_distance(known, name), known))
+        .min_by_key(|(distance, _)| *distance)
+        .filter(|(distance, known)| *distance <= MISSPELT && 2 * distance <= known.len());
+    match nearest {
+        Some((_, nearest)) => format!("no such {what}: did you mean '{nearest}'?"),
+        None => format!("no such {what}: allowed are {}", known.join(", ")),
+    }
+}
+
 /// Takes mistakes down as a file is read.
 pub(super) struct Notes<'t> {
     text: &'t str,
@@ -81,6 +93,16 @@ impl<'t> Notes<'t> {
         Self {
             text,
             mistakes: Vec::new(),
+        }
+    }
+
+    /// A place at which the text is not TOML, for a reason.
+    pub(super) fn not_toml(&mut self, span: Option<Range<usize>>, reason: &str) {
+        let span = span.unwrap_or(0..0);
+        let found = self.quote_on(span.clone());
+        let reason = reason.replace('\n', "; ");
+        if !self.note_decimal_comma(span.clone()) {
+            self.note(span, "", found, format!("not TOML: {reason}"));
         }
     }
 
@@ -139,15 +161,7 @@ impl<'t> Notes<'t> {
     /// A key that nobody asked for.
     pub(super) fn unknown(&mut self, span: Range<usize>, key: &str, known: &[&str]) {
         let name = key.rsplit('.').next().unwrap_or(key);
-        let nearest = (known.iter())
-            .map(|known| (strsim::osa_distance(known, name), known))
-            .min_by_key(|(distance, _)| *distance)
-            .filter(|(distance, known)| *distance <= MISSPELT && 2 * distance <= known.len());
-        let allowed = match nearest {
-            Some((_, nearest)) => format!("no such key: did you mean '{nearest}'?"),
-            None => format!("no such key: allowed are {}", known.join(", ")),
-        };
-        self.wrong(span, key, allowed);
+        self.wrong(span, key, unknown("key", name, known));
     }
 
     /// How many mistakes there are so far.
@@ -183,9 +197,14 @@ impl<'t> Notes<'t> {
         self.quote(span.start..span.start + line.map(char::len_utf8).sum::<usize>())
     }
 
+    /// The piece of the file at `span`.
+    pub(super) fn piece(&self, span: &Range<usize>) -> Option<&'t str> {
+        self.text.get(span.clone())
+    }
+
     /// The piece of the file at `span`, on one line.
     pub(super) fn quote(&self, span: Range<usize>) -> String {
-        let piece = self.text.get(span).unwrap_or_default();
+        let piece = self.piece(&span).unwrap_or_default();
         // No more words than can be quoted: a piece may be the whole file.
         let words: Vec<_> = piece.split_whitespace().take(QUOTED + 1).collect();
         let line = words.join(" ");

@@ -2,152 +2,215 @@
 
 use std::ops::Range;
 
-use scene::{MAX_MODES, Orientation, Pose, Squirmer};
+use scene::{MAX_MODES, Orientation, Pose, SceneError, Squirmer};
 use toml::de::DeValue;
 
-use super::effects::{direction, vector};
-use super::mistakes::Notes;
-use super::table::{Table, number, numbers};
+use super::number::{FINITE, List, Number, Reader, Rule};
+use super::point::Point;
+use super::table::{Table, numbers};
 
-/// The squirmers and where they start.
-pub(super) struct Squirmers {
-    pub bodies: [Squirmer; 2],
-    pub start: [Pose; 2],
-    /// Where the second one's position stands.
-    pub second: Range<usize>,
+/// A squirmer as it stands in the file. What is missing is noted.
+#[derive(Clone, Debug)]
+pub(super) struct SquirmerTemplate {
+    pub position: Option<List>,
+    orientation: Option<Direction>,
+    body: Body,
 }
 
-/// `[[squirmer]]`, twice.
-pub(super) fn read(file: &mut Table<'_, '_>, notes: &mut Notes<'_>) -> Option<Squirmers> {
+/// How an orientation is given.
+#[derive(Clone, Debug)]
+enum Direction {
+    Degrees(Number),
+    Radians(Number),
+    Vector(List),
+}
+
+/// Slip and bottom-heaviness, and where they stand.
+#[derive(Clone, Debug)]
+struct Body {
+    span: Range<usize>,
+    key: String,
+    slip: Option<Slip>,
+    swirl: Option<List>,
+    heaviness: Option<Number>,
+}
+
+/// How slip is given.
+#[derive(Clone, Debug)]
+enum Slip {
+    Modes(List),
+    Beta { speed: Option<Number>, beta: Number },
+}
+
+/// `[[squirmer]]`, as many as there are.
+pub(super) fn read(file: &mut Table<'_, '_>, reader: &mut Reader<'_>) -> Vec<SquirmerTemplate> {
     const NEEDED: &str = "give two tables [[squirmer]]";
     let Some(entry) = file.get("squirmer") else {
-        notes.missing(file.span(), "squirmer", NEEDED);
-        return None;
+        (reader.notes).missing(file.span(), "squirmer", NEEDED);
+        return Vec::new();
     };
     let Some(array) = entry.value.as_array().filter(|array| !array.is_empty()) else {
-        notes.wrong(entry.span, "squirmer", NEEDED);
-        return None;
+        (reader.notes).wrong(entry.span, "squirmer", NEEDED);
+        return Vec::new();
     };
     if array.len() != 2 {
         let found = format!("{} of them", array.len());
-        notes.note(entry.span, "squirmer", found, NEEDED.to_owned());
+        (reader.notes).note(entry.span, "squirmer", found, NEEDED.to_owned());
     }
     let mut all = Vec::new();
     for (index, value) in array.iter().enumerate() {
         let key = format!("squirmer[{index}]");
         match value.get_ref() {
             DeValue::Table(table) => {
-                all.push(squirmer(Table::new(&key, value.span(), table), notes));
+                all.push(squirmer(Table::new(&key, value.span(), table), reader));
             }
-            _ => notes.wrong(value.span(), &key, "give a table [[squirmer]]"),
+            _ => (reader.notes).wrong(value.span(), &key, "give a table [[squirmer]]"),
         }
     }
-    let [Some(one), Some(two)] = <[_; 2]>::try_from(all).ok()? else {
-        return None;
-    };
-    Some(Squirmers {
-        bodies: [one.body, two.body],
-        start: [one.pose, two.pose],
-        second: two.place,
-    })
+    all
 }
 
-struct Read {
-    body: Squirmer,
-    pose: Pose,
-    place: Range<usize>,
-}
-
-fn squirmer(mut table: Table<'_, '_>, notes: &mut Notes<'_>) -> Option<Read> {
-    let before = notes.count();
-    let position = direction(&mut table, "position", notes);
-    if position.is_none() && notes.count() == before {
+fn squirmer(mut table: Table<'_, '_>, reader: &mut Reader<'_>) -> SquirmerTemplate {
+    let position = table.numbers("position", reader, 2..=3);
+    if position.is_none() {
         let allowed = "give the centre, two or three numbers in sphere radii";
-        notes.missing(table.span(), &table.key("position"), allowed);
+        (reader.notes).missing(table.span(), &table.key("position"), allowed);
     }
-    let orientation = orientation(&mut table, notes);
-    let body = body(&mut table, notes);
-    table.finish(notes);
-    let (position, place) = position?;
-    let pose = Pose {
+    let template = SquirmerTemplate {
         position,
-        orientation: orientation?,
+        orientation: direction(&mut table, reader),
+        body: body(&mut table, reader),
     };
-    Some(Read {
-        body: body?,
-        pose,
-        place,
-    })
+    table.finish(reader);
+    template
 }
 
-/// `orientation`: an angle in degrees or a vector.
-fn orientation(table: &mut Table<'_, '_>, notes: &mut Notes<'_>) -> Option<Orientation> {
+/// `orientation`: an angle in degrees, an angle in radians that says so, or a vector.
+fn direction(table: &mut Table<'_, '_>, reader: &mut Reader<'_>) -> Option<Direction> {
     let Some(entry) = table.get("orientation") else {
         let allowed = "give an angle in degrees from the x axis, or a vector";
-        notes.missing(table.span(), &table.key("orientation"), allowed);
+        (reader.notes).missing(table.span(), &table.key("orientation"), allowed);
         return None;
     };
-    if let Some(degrees) = number(entry.value) {
-        return Some(Orientation::from_degrees(degrees));
+    match entry.value {
+        DeValue::Array(_) => Some(Direction::Vector(numbers(&entry, reader, 2..=3))),
+        DeValue::Table(inner) => {
+            let mut angle = Table::new(&entry.key, entry.span, inner);
+            let radians = angle.number("radians", reader, &FINITE);
+            if radians.is_none() {
+                let allowed = "give the angle in radians";
+                (reader.notes).missing(angle.span(), &angle.key("radians"), allowed);
+            }
+            angle.finish(reader);
+            radians.map(Direction::Radians)
+        }
+        _ => Some(Direction::Degrees(Number::read(&entry, reader, &ANGLE))),
     }
-    if entry.value.as_array().is_none() {
-        let allowed = "give an angle in degrees, or a vector of two or three numbers";
-        notes.wrong(entry.span, &entry.key, allowed);
-        return None;
-    }
-    let orientation = Orientation::Vector(vector(&numbers(&entry, notes, 2..=3)?));
-    match orientation.vector() {
-        Ok(_) => Some(orientation),
-        Err(error) => {
-            notes.wrong(entry.span, &entry.key, error.to_string());
+}
+
+const ANGLE: Rule = Rule {
+    allowed: || "an angle in degrees, or a vector of two or three numbers".to_owned(),
+    ..FINITE
+};
+
+/// `modes`, or `swimming_speed` and `beta`; `swirl` and `bottom_heaviness`.
+fn body(table: &mut Table<'_, '_>, reader: &mut Reader<'_>) -> Body {
+    let modes = table.numbers("modes", reader, 0..=MAX_MODES);
+    let swirl = table.numbers("swirl", reader, 0..=MAX_MODES);
+    let speed = table.number("swimming_speed", reader, &FINITE);
+    let beta = table.number("beta", reader, &FINITE);
+    let heaviness = table.number("bottom_heaviness", reader, &FINITE);
+    let slip = match (modes, speed, beta) {
+        (Some(modes), None, None) => Some(Slip::Modes(modes)),
+        (Some(_), speed, beta) => {
+            for number in [speed, beta].into_iter().flatten() {
+                let allowed = "modes say it all: give either modes or swimming_speed and beta";
+                (reader.notes).wrong(number.span, &number.key, allowed);
+            }
             None
+        }
+        (None, speed, Some(beta)) => Some(Slip::Beta { speed, beta }),
+        (None, _, None) => {
+            let allowed =
+                "give beta = B2/B1 (and swimming_speed, 1 unless given), or modes = [B1, B2, …]";
+            (reader.notes).missing(table.span(), &table.key("beta"), allowed);
+            None
+        }
+    };
+    Body {
+        span: table.span(),
+        key: table.key("modes"),
+        slip,
+        swirl,
+        heaviness,
+    }
+}
+
+impl SquirmerTemplate {
+    /// The squirmer at a point, and where it starts.
+    pub(super) fn at(&self, point: &mut Point<'_>) -> Option<(Squirmer, Pose)> {
+        let position = self.position.as_ref().and_then(|list| point.vector(list));
+        let orientation = (self.orientation.as_ref()).and_then(|direction| direction.at(point));
+        let body = self.body.at(point);
+        let pose = Pose {
+            position: position?,
+            orientation: orientation?,
+        };
+        Some((body?, pose))
+    }
+}
+
+impl Direction {
+    fn at(&self, point: &mut Point<'_>) -> Option<Orientation> {
+        match self {
+            // Quarter turns are exact.
+            Self::Degrees(degrees) => {
+                (point.value(degrees)).map(|degrees| Orientation::Angle(degrees / 90.0 * FRAC_PI_2))
+            }
+            Self::Radians(radians) => point.value(radians).map(Orientation::Angle),
+            Self::Vector(list) => {
+                let orientation = Orientation::Vector(point.vector(list)?);
+                point.accept(orientation.vector(), &list.span, &list.key)?;
+                Some(orientation)
+            }
         }
     }
 }
 
-/// `modes`, or `swimming_speed` and `beta`; `swirl` and `bottom_heaviness`.
-fn body(table: &mut Table<'_, '_>, notes: &mut Notes<'_>) -> Option<Squirmer> {
-    let before = notes.count();
-    let modes = table.numbers("modes", notes, 0..=MAX_MODES);
-    let swirl = table.numbers("swirl", notes, 0..=MAX_MODES);
-    let speed_place = table.get("swimming_speed").map(|entry| entry.span);
-    let beta_place = table.get("beta").map(|entry| entry.span);
-    let mut finite =
-        |name, notes: &mut Notes<'_>| table.number(name, notes, "a finite number", |_| true);
-    let speed = finite("swimming_speed", notes);
-    let beta = finite("beta", notes);
-    let heaviness = finite("bottom_heaviness", notes);
-    let body = match (&modes, &beta_place) {
-        (Some((modes, _)), None) if speed_place.is_none() => Squirmer::new(modes),
-        (Some(_), _) => {
-            let keys = [("beta", &beta_place), ("swimming_speed", &speed_place)];
-            for (name, place) in keys {
-                if let Some(place) = place {
-                    let allowed = "modes say it all: give either modes or swimming_speed and beta";
-                    notes.wrong(place.clone(), &table.key(name), allowed);
-                }
-            }
-            return None;
-        }
-        (None, Some(_)) => Squirmer::with_beta(speed.unwrap_or(1.0), beta.unwrap_or(0.0)),
-        (None, None) => {
-            if notes.count() == before {
-                let allowed = "give beta = B2/B1 (and swimming_speed, 1 unless given), or modes = [B1, B2, …]";
-                notes.missing(table.span(), &table.key("beta"), allowed);
-            }
-            return None;
-        }
-    };
-    if notes.count() > before {
-        return None;
+impl Body {
+    fn at(&self, point: &mut Point<'_>) -> Option<Squirmer> {
+        let slip = self.slip.as_ref().and_then(|slip| slip.at(point));
+        let swirl = match &self.swirl {
+            Some(list) => point.values(list),
+            None => Some(([0.0; MAX_MODES], 0)),
+        };
+        let heaviness = match &self.heaviness {
+            Some(number) => point.value(number),
+            None => Some(0.0),
+        };
+        let (slip, (swirl, modes), heaviness) = (slip?, swirl?, heaviness?);
+        let body = slip
+            .and_then(|body| body.with_swirl(&swirl[..modes]))
+            .and_then(|body| body.bottom_heavy(heaviness));
+        point.accept(body, &self.span, &self.key)
     }
-    let swirl = swirl.map_or(Vec::new(), |(modes, _)| modes);
-    let body = body.and_then(|body| body.with_swirl(&swirl));
-    match body.and_then(|body| body.bottom_heavy(heaviness.unwrap_or(0.0))) {
-        Ok(body) => Some(body),
-        Err(error) => {
-            notes.wrong(table.span(), &table.key("modes"), error.to_string());
-            None
+}
+
+impl Slip {
+    fn at(&self, point: &mut Point<'_>) -> Option<Result<Squirmer, SceneError>> {
+        match self {
+            Self::Modes(list) => {
+                let (modes, count) = point.values(list)?;
+                Some(Squirmer::new(&modes[..count]))
+            }
+            Self::Beta { speed, beta } => {
+                let speed = match speed {
+                    Some(speed) => point.value(speed),
+                    None => Some(1.0),
+                };
+                let beta = point.value(beta);
+                Some(Squirmer::with_beta(speed?, beta?))
+            }
         }
     }
 }

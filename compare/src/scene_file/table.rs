@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::mistakes::Notes;
+use super::number::{FINITE, List, Number, Reader, Rule};
 
 /// A value with its full key.
 pub(super) struct Entry<'a, 'i> {
@@ -59,27 +59,50 @@ impl<'a, 'i> Table<'a, 'i> {
         })
     }
 
-    /// A number that `allowed` says in words and `is_allowed` tests.
+    /// The keys of a table that may have any, with where they stand and their values, in the order of the file.
+    pub(super) fn all_in_order(&self) -> Vec<(&'a str, Range<usize>, Entry<'a, 'i>)> {
+        let mut all: Vec<_> = (self.table.iter())
+            .map(|(key, value)| {
+                let entry = Entry {
+                    key: self.key(key.get_ref()),
+                    span: value.span(),
+                    value: value.get_ref(),
+                };
+                (key.get_ref().as_ref(), key.span(), entry)
+            })
+            .collect();
+        all.sort_by_key(|(_, span, _)| span.start);
+        all
+    }
+
+    /// The table `name`, if it is there; anything else under that name is a mistake.
+    pub(super) fn table(&mut self, name: &'static str, reader: &mut Reader<'_>) -> Option<Self> {
+        let Entry { key, span, value } = self.get(name)?;
+        match value {
+            DeValue::Table(table) => Some(Table::new(&key, span, table)),
+            _ => {
+                (reader.notes).wrong(span, &key, format!("give a table [{name}]"));
+                None
+            }
+        }
+    }
+
+    /// A number or an expression, if it is there.
     pub(super) fn number(
         &mut self,
         name: &'static str,
-        notes: &mut Notes<'_>,
-        allowed: &str,
-        is_allowed: impl Fn(f64) -> bool,
-    ) -> Option<f64> {
+        reader: &mut Reader<'_>,
+        rule: &'static Rule,
+    ) -> Option<Number> {
         let entry = self.get(name)?;
-        let number = number(entry.value).filter(|value| is_allowed(*value));
-        if number.is_none() {
-            notes.wrong(entry.span, &entry.key, format!("give {allowed}"));
-        }
-        number
+        Some(Number::read(&entry, reader, rule))
     }
 
     /// A whole number in a range.
     pub(super) fn whole(
         &mut self,
         name: &'static str,
-        notes: &mut Notes<'_>,
+        reader: &mut Reader<'_>,
         range: std::ops::RangeInclusive<usize>,
     ) -> Option<usize> {
         let entry = self.get(name)?;
@@ -90,17 +113,17 @@ impl<'a, 'i> Table<'a, 'i> {
         if whole.is_none() {
             let (low, high) = range.into_inner();
             let allowed = format!("give a whole number from {low} to {high}");
-            notes.wrong(entry.span, &entry.key, allowed);
+            (reader.notes).wrong(entry.span, &entry.key, allowed);
         }
         whole
     }
 
     /// `true` or `false`.
-    pub(super) fn flag(&mut self, name: &'static str, notes: &mut Notes<'_>) -> Option<bool> {
+    pub(super) fn flag(&mut self, name: &'static str, reader: &mut Reader<'_>) -> Option<bool> {
         let entry = self.get(name)?;
         let flag = entry.value.as_bool();
         if flag.is_none() {
-            notes.wrong(entry.span, &entry.key, "give true or false");
+            (reader.notes).wrong(entry.span, &entry.key, "give true or false");
         }
         flag
     }
@@ -109,75 +132,70 @@ impl<'a, 'i> Table<'a, 'i> {
     pub(super) fn word<T: Copy>(
         &mut self,
         name: &'static str,
-        notes: &mut Notes<'_>,
+        reader: &mut Reader<'_>,
         words: &[(&str, T)],
     ) -> Option<T> {
         let entry = self.get(name)?;
-        word(&entry, notes, words, "")
+        word(&entry, reader, words, "")
     }
 
-    /// A list of finite numbers, as many as `lengths` allows.
+    /// A list of numbers and expressions, as many as `lengths` allows, if it is there.
     pub(super) fn numbers(
         &mut self,
         name: &'static str,
-        notes: &mut Notes<'_>,
+        reader: &mut Reader<'_>,
         lengths: std::ops::RangeInclusive<usize>,
-    ) -> Option<(Vec<f64>, Range<usize>)> {
+    ) -> Option<List> {
         let entry = self.get(name)?;
-        numbers(&entry, notes, lengths).map(|numbers| (numbers, entry.span))
+        Some(numbers(&entry, reader, lengths))
     }
 
     /// Takes down the keys that nobody asked for.
-    pub(super) fn finish(self, notes: &mut Notes<'_>) {
+    pub(super) fn finish(self, reader: &mut Reader<'_>) {
         for key in self.table.keys() {
             let name = key.get_ref();
             if !self.known.contains(&name.as_ref()) {
-                notes.unknown(key.span(), &self.key(name), &self.known);
+                (reader.notes).unknown(key.span(), &self.key(name), &self.known);
             }
         }
     }
 }
 
-/// A finite number, written as one or as an integer.
-pub(super) fn number(value: &DeValue<'_>) -> Option<f64> {
-    let parsed = match value {
-        DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse(),
-        DeValue::Float(float) => float.as_str().parse::<f64>(),
-        _ => return None,
-    };
-    parsed.ok().filter(|value| value.is_finite())
-}
-
-/// A list of finite numbers.
+/// A list of numbers and expressions.
 pub(super) fn numbers(
     entry: &Entry<'_, '_>,
-    notes: &mut Notes<'_>,
+    reader: &mut Reader<'_>,
     lengths: std::ops::RangeInclusive<usize>,
-) -> Option<Vec<f64>> {
+) -> List {
     let (least, most) = (*lengths.start(), *lengths.end());
     let found = (entry.value.as_array()).filter(|array| lengths.contains(&array.len()));
-    let Some(array) = found else {
+    if found.is_none() {
         let allowed = format!("give a list of {least} to {most} finite numbers");
-        notes.wrong(entry.span.clone(), &entry.key, allowed);
-        return None;
-    };
-    let mut all = Vec::new();
-    for (index, value) in array.iter().enumerate() {
-        match number(value.get_ref()) {
-            Some(number) => all.push(number),
-            None => {
-                let key = format!("{}[{index}]", entry.key);
-                notes.wrong(Spanned::span(value), &key, "give a finite number");
-            }
-        }
+        (reader.notes).wrong(entry.span.clone(), &entry.key, allowed);
     }
-    (all.len() == array.len()).then_some(all)
+    let mut number = |index: usize, value: &Spanned<DeValue<'_>>| {
+        let entry = Entry {
+            key: format!("{}[{index}]", entry.key),
+            span: value.span(),
+            value: value.get_ref(),
+        };
+        Number::read(&entry, reader, &FINITE)
+    };
+    List {
+        span: entry.span.clone(),
+        key: entry.key.clone(),
+        numbers: found.map(|array| {
+            (array.iter().enumerate())
+                .map(|(index, value)| number(index, value))
+                .collect()
+        }),
+    }
 }
 
 /// One of some words, or `otherwise`.
 pub(super) fn word<T: Copy>(
     entry: &Entry<'_, '_>,
-    notes: &mut Notes<'_>,
+    reader: &mut Reader<'_>,
     words: &[(&str, T)],
     otherwise: &str,
 ) -> Option<T> {
@@ -189,7 +207,7 @@ pub(super) fn word<T: Copy>(
             .map(|(word, _)| format!("\"{word}\""))
             .collect();
         let allowed = format!("give {}{otherwise}", known.join(" or "));
-        notes.wrong(entry.span.clone(), &entry.key, allowed);
+        (reader.notes).wrong(entry.span.clone(), &entry.key, allowed);
     }
     word.map(|(_, value)| *value)
 }

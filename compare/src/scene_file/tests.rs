@@ -1,5 +1,6 @@
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
+use super::functions::FUNCTIONS;
 use super::*;
 
 const START: &str = "hydrodynamics = \"lubrication\"
@@ -47,8 +48,8 @@ tolerance =
         ),
         ("2:28: repulsion.kapa2:", "did you mean 'kappa2'?"),
         (
-            "4:16: squirmer[0].position[1]:",
-            "found \"a\"; give a finite number",
+            "4:17: squirmer[0].position[1]:",
+            "found a; no such parameter: give a number, or name it in a table [parameters]",
         ),
         ("5:15: squirmer[0].orientation:", "not zero"),
         ("6:8: squirmer[0].beta:", "found nan; give a finite number"),
@@ -118,7 +119,8 @@ fn a_decimal_comma_is_told_from_other_mistakes() {
     );
     assert_eq!(
         first("beta = 1", "beta = \"5,0\""),
-        "5:8: squirmer[0].beta: found \"5,0\"; give a finite number: decimals take a point, 5.0"
+        "5:10: squirmer[0].beta: found ,; a comma only stands between the two numbers that a function takes: decimals \
+         take a point, 5.0"
     );
     let not_one = first("beta = 1", "beta = 1,2,3");
     assert!(
@@ -196,7 +198,7 @@ fn blocks<'a>(page: &'a str, kind: &str) -> Vec<&'a str> {
 fn the_examples_of_the_reference_page_are_read_and_name_every_key() {
     let page = include_str!("../../../docs/SCENES.md");
     let examples = blocks(page, "toml");
-    assert_eq!(examples.len(), 3);
+    assert_eq!(examples.len(), 4);
     let all = SceneFile::parse(examples[1]).unwrap();
     assert_eq!(all.method, Method::LtCorrected);
     assert_eq!(all.scene.squirmers[0].modes(), [1.5, 7.5, 0.3]);
@@ -204,6 +206,9 @@ fn the_examples_of_the_reference_page_are_read_and_name_every_key() {
     assert!(all.scene.gravity.is_some());
     for example in examples {
         SceneFile::parse(example).unwrap();
+    }
+    for (name, _) in FUNCTIONS {
+        assert!(page.contains(&format!("`{name}")), "{name}");
     }
     // What the page says are defaults are the defaults.
     let defaults = SceneFile::parse(START).unwrap().run;
