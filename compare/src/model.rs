@@ -12,8 +12,8 @@ use scene::{
     TableSummary, Tabulated, rates, run_observed, run_plan,
 };
 
-use crate::watch::{Pieces, Progress};
 use crate::scene_file::Hydrodynamics as InFiles;
+use crate::watch::{Pieces, Progress};
 use crate::{CompareError, Method};
 
 /// Interpolation error of the tables of boundary elements, relative to the larger of the load and

@@ -136,7 +136,10 @@ pub(crate) enum Command {
         after_help = "Example:\n  squirmers sweep opposed --vary beta=-5,0,5 --vary dx=0.5:3:0.5 --method lt,exact\n  \
                             squirmers sweep mine.toml --vary kappa=1:100:log:9 --partition 2/7 --out share-2"
     )]
-    #[command(mut_arg("method", sweep::methods), mut_arg("time_limit", sweep::time_limit))]
+    #[command(
+        mut_arg("method", sweep::methods),
+        mut_arg("time_limit", sweep::time_limit)
+    )]
     Sweep(SweepArguments),
     /// Shares of a sweep, put together as if it had not been shared
     #[command(after_help = "Example:\n  squirmers merge share-1 share-2 share-3 --out whole")]

@@ -88,7 +88,10 @@ fn a_family_of_ones_own_is_swept_along_three_axes() {
     );
     let rows = rows(&out);
     assert_eq!(rows.len(), 3 * 12 * 40);
-    assert_eq!((&rows[0][0], &rows[0][1], &rows[0][2]), ("0.5", "0.01", "-78.0"));
+    assert_eq!(
+        (&rows[0][0], &rows[0][1], &rows[0][2]),
+        ("0.5", "0.01", "-78.0")
+    );
     assert_eq!((&rows[1][1], &rows[1][2]), ("0.01", "-74.0"));
     // One row is the run of the scene that the file gives with these values.
     let text = [("turn", "-74.0"), ("speed", "0.5"), ("weight", "0.01")]
@@ -112,7 +115,11 @@ fn a_family_of_ones_own_is_swept_along_three_axes() {
         (7, "contact_time"),
     ] {
         let found: f64 = rows[1][column].parse().unwrap();
-        assert_eq!(found.to_bits(), summary[name].as_f64().unwrap().to_bits(), "{name}");
+        assert_eq!(
+            found.to_bits(),
+            summary[name].as_f64().unwrap().to_bits(),
+            "{name}"
+        );
     }
     assert_eq!(&rows[1][8], summary["outcome"].as_str().unwrap());
     assert_eq!(rows[1][9], summary["steps"].to_string());
@@ -133,7 +140,9 @@ fn shares_that_were_killed_and_run_again_merge_to_the_file_of_the_whole() {
     let folder = tempfile::tempdir().unwrap();
     let family = family(folder.path());
     let whole = folder.path().join("whole");
-    let output = sweep(&family, &whole, &["--method", "lt"]).output().unwrap();
+    let output = sweep(&family, &whole, &["--method", "lt"])
+        .output()
+        .unwrap();
     assert_eq!(output.status.code(), Some(0), "{}", message(&output));
     let mut folders = Vec::new();
     for number in 1..=SHARES {
@@ -141,24 +150,40 @@ fn shares_that_were_killed_and_run_again_merge_to_the_file_of_the_whole() {
         let partition = format!("{number}/{SHARES}");
         // By one thread and by two.
         let threads = (1 + number % 2).to_string();
-        let more = ["--method", "lt", "--partition", &partition, "--threads", &threads];
+        let more = [
+            "--method",
+            "lt",
+            "--partition",
+            &partition,
+            "--threads",
+            &threads,
+        ];
         if KILLED.contains(&number) {
             let mut child = sweep(&family, &out, &more).spawn().unwrap();
             let part = out.join("sweep.csv.part");
             let begun = Instant::now();
-            while std::fs::read_to_string(&part).map_or(0, |text| text.matches("\ndone ").count()) < 5 {
+            while std::fs::read_to_string(&part).map_or(0, |text| text.matches("\ndone ").count())
+                < 5
+            {
                 assert!(begun.elapsed() < Duration::from_secs(120), "no row is kept");
                 std::thread::sleep(Duration::from_millis(1));
             }
             child.kill().unwrap();
             child.wait().unwrap();
-            assert!(!out.join("sweep.json").exists(), "it ended before it was killed");
+            assert!(
+                !out.join("sweep.json").exists(),
+                "it ended before it was killed"
+            );
             let refused = squirmers(&["merge"], &folder.path().join("early"))
                 .arg(&out)
                 .output()
                 .unwrap();
             assert_eq!(refused.status.code(), Some(2));
-            assert!(message(&refused).contains("not finished"), "{}", message(&refused));
+            assert!(
+                message(&refused).contains("not finished"),
+                "{}",
+                message(&refused)
+            );
         }
         let output = sweep(&family, &out, &more).output().unwrap();
         assert_eq!(output.status.code(), Some(0), "{}", message(&output));
@@ -166,7 +191,10 @@ fn shares_that_were_killed_and_run_again_merge_to_the_file_of_the_whole() {
     }
     folders.reverse();
     let merged = folder.path().join("merged");
-    let output = squirmers(&["merge"], &merged).args(&folders).output().unwrap();
+    let output = squirmers(&["merge"], &merged)
+        .args(&folders)
+        .output()
+        .unwrap();
     assert_eq!(output.status.code(), Some(0), "{}", message(&output));
     let [found, expected] =
         [&merged, &whole].map(|folder| std::fs::read(folder.join("sweep.csv")).unwrap());
@@ -184,7 +212,10 @@ fn what_is_wrong_with_a_sweep_is_told_in_one_line() {
         (vec![file, "--vary", "speed"], "NAME=LIST"),
         (vec![file, "--vary", "speed=1:2:log:x"], "'x'"),
         (vec![file, "--vary", "speed=1", "--partition", "3/2"], "3/2"),
-        (vec![file, "--vary", "speed=1", "--partition", "1/9"], "1 rows"),
+        (
+            vec![file, "--vary", "speed=1", "--partition", "1/9"],
+            "1 rows",
+        ),
         (vec![file, "--tol", "1"], "--tol"),
         (vec!["no-such-family"], "no-such-family"),
     ] {

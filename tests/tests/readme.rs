@@ -39,7 +39,10 @@ impl Drop for Claims {
         }
         let text = words_of("docs/FINDINGS.md");
         let missing: Vec<_> = self.0.iter().filter(|c| !text.contains(*c)).collect();
-        assert!(missing.is_empty(), "docs/FINDINGS.md does not say: {missing:#?}");
+        assert!(
+            missing.is_empty(),
+            "docs/FINDINGS.md does not say: {missing:#?}"
+        );
     }
 }
 
@@ -121,7 +124,10 @@ fn case(approach: Approach, beta: f64, dx: f64) -> Case {
 fn statements(text: &str) -> Vec<String> {
     let section = text.split_once("## What was found\n").unwrap().1;
     let section = section.split("\n## ").next().unwrap();
-    let rows = section.lines().filter(|line| line.starts_with("| ")).skip(1);
+    let rows = section
+        .lines()
+        .filter(|line| line.starts_with("| "))
+        .skip(1);
     let entries = section.split("\n- ").skip(1);
     let entries = entries.map(|entry| entry.split("\n\n").next().unwrap());
     (rows.chain(entries))
@@ -138,7 +144,10 @@ fn readme_repeats_what_the_findings_say() {
     // Four rows and four findings.
     assert_eq!(statements.len(), 8, "{statements:#?}");
     for statement in statements {
-        assert!(findings.contains(&statement), "docs/FINDINGS.md lacks: {statement}");
+        assert!(
+            findings.contains(&statement),
+            "docs/FINDINGS.md lacks: {statement}"
+        );
     }
 }
 

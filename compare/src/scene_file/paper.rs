@@ -4,20 +4,7 @@ use super::Family;
 
 impl Family {
     /// The names and the texts of the paper's families, which are part of the program.
-    pub const PAPER: [(&str, &str); 3] = [
-        (
-            "opposed",
-            include_str!("../../../fixtures/families/opposed.toml"),
-        ),
-        (
-            "right-angles",
-            include_str!("../../../fixtures/families/right-angles.toml"),
-        ),
-        (
-            "incoming-angles",
-            include_str!("../../../fixtures/families/incoming-angles.toml"),
-        ),
-    ];
+    pub const PAPER: [(&str, &str); 3] = fixtures::FAMILIES;
 }
 
 #[cfg(test)]
@@ -41,7 +28,7 @@ mod tests {
     /// The numbers of a scene, so that zeros of either sign differ too.
     fn bits(scene: &Scene) -> Vec<u64> {
         let angle = |k: usize| match scene.start[k].orientation {
-            scene::Orientation::Angle(angle) => angle,
+            scene::Orientation::Radians(angle) => angle,
             scene::Orientation::Vector(_) => f64::NAN,
         };
         let position = scene.start.iter().flat_map(|pose| pose.position.iter());

@@ -163,11 +163,8 @@ impl SquirmerTemplate {
 impl Direction {
     fn at(&self, point: &mut Point<'_>) -> Option<Orientation> {
         match self {
-            // Quarter turns are exact.
-            Self::Degrees(degrees) => {
-                (point.value(degrees)).map(|degrees| Orientation::Angle(degrees / 90.0 * FRAC_PI_2))
-            }
-            Self::Radians(radians) => point.value(radians).map(Orientation::Angle),
+            Self::Degrees(degrees) => point.value(degrees).map(Orientation::from_degrees),
+            Self::Radians(radians) => point.value(radians).map(Orientation::Radians),
             Self::Vector(list) => {
                 let orientation = Orientation::Vector(point.vector(list)?);
                 point.accept(orientation.vector(), &list.span, &list.key)?;

@@ -7,9 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::manifest::{SweepIdentity, measured};
 use super::merge::ROWS;
-use super::{
-    Arithmetic, Computed, Done, Manifest, ManifestModel, Points, Row, Share, Sweep,
-};
+use super::{Arithmetic, Computed, Done, Manifest, ManifestModel, Points, Row, Share, Sweep};
 use crate::encounter::{FAILED, SKIPPED};
 use crate::output::{OutputFolder, csv_lines};
 use crate::{CompareError, Family, Method, Model};
@@ -56,7 +54,7 @@ struct Tail {
 
 impl Tail {
     fn of(method: Method, run: &Run) -> Self {
-        let [one, two] = run.deflections().map(f64::to_degrees);
+        let [one, two] = run.deflections_rad().map(f64::to_degrees);
         Self {
             method: method.name().to_owned(),
             deflection1_deg: one,

@@ -30,7 +30,10 @@ pub struct Merged {
 /// [`CompareError::Write`].
 pub fn merge(folders: &[PathBuf], out: &OutputFolder) -> Result<Merged, CompareError> {
     let own = out.path().canonicalize().ok();
-    if let Some(folder) = folders.iter().find(|folder| folder.canonicalize().ok() == own) {
+    if let Some(folder) = folders
+        .iter()
+        .find(|folder| folder.canonicalize().ok() == own)
+    {
         let allowed = "it is the folder of a share, which would be lost: give another one";
         return Err(CompareError::input("--out", folder.display(), allowed));
     }
@@ -307,7 +310,9 @@ mod tests {
     fn shares_of_other_machines_are_merged_and_counted() {
         let shares = [
             share(1, 2, |_| {}),
-            share(2, 2, |manifest| manifest.arithmetic = vec![arithmetic("two")]),
+            share(2, 2, |manifest| {
+                manifest.arithmetic = vec![arithmetic("two")]
+            }),
         ];
         let (merged, _) = merged(&shares);
         assert_eq!(merged.unwrap().arithmetic.len(), 2);

@@ -59,8 +59,9 @@ impl Points {
                 values: values.clone(),
             });
         }
-        let points = (axes.iter())
-            .try_fold(1_usize, |points, axis| points.checked_mul(axis.values.len()));
+        let points = (axes.iter()).try_fold(1_usize, |points, axis| {
+            points.checked_mul(axis.values.len())
+        });
         if points.is_none_or(|points| points > MOST_POINTS) {
             let allowed = format!("a sweep has at most {MOST_POINTS} points");
             return Err(CompareError::input("--vary", "so many values", allowed));
@@ -215,7 +216,13 @@ mod tests {
         ]);
         let points = points.unwrap();
         let typical: Vec<Vec<f64>> = (points.typical().into_iter())
-            .map(|number| points.values(number).iter().map(|(_, value)| *value).collect())
+            .map(|number| {
+                points
+                    .values(number)
+                    .iter()
+                    .map(|(_, value)| *value)
+                    .collect()
+            })
             .collect();
         for expected in [
             [0.0, 3.0, 0.0],
@@ -224,7 +231,10 @@ mod tests {
             [1.0, 4.0, 1.0],
             [1.0, 3.0, 3.0],
         ] {
-            assert!(typical.contains(&expected.to_vec()), "{expected:?} in {typical:?}");
+            assert!(
+                typical.contains(&expected.to_vec()),
+                "{expected:?} in {typical:?}"
+            );
         }
     }
 
@@ -245,7 +255,10 @@ mod tests {
     #[test]
     fn names_that_are_no_parameters_or_are_there_twice_are_refused() {
         let error = points(&[("z", &[1.0])]).unwrap_err().to_string();
-        assert!(error.contains("'z'") && error.contains("x, y, beta"), "{error}");
+        assert!(
+            error.contains("'z'") && error.contains("x, y, beta"),
+            "{error}"
+        );
         let error = points(&[("x", &[3.0]), ("x", &[4.0])]).unwrap_err();
         assert!(error.to_string().contains("twice"), "{error}");
     }

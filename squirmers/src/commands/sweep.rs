@@ -114,7 +114,10 @@ pub(super) fn run(arguments: &SweepArguments, general: &Arguments) -> Result<(),
     };
     let mut first = Vec::new();
     let done = sweep.run(&mut |row| keep_first(&mut first, row))?;
-    print_rows(&sweep.header(), first.iter().map(|row| printed(row, points.axes().len())));
+    print_rows(
+        &sweep.header(),
+        first.iter().map(|row| printed(row, points.axes().len())),
+    );
     print_rest(done.rows, "sweep");
     out.account().failed(done.failed);
     out.account().skipped(done.skipped);
