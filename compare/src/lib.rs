@@ -1,4 +1,10 @@
 //! Compares hydrodynamic models of two squirmers on the paper's encounters.
+//!
+//! One collision by two models:
+//!
+//! ```
+#![doc = include_str!("../examples/one_collision.rs")]
+//! ```
 
 pub mod account;
 pub mod bottom_heavy;

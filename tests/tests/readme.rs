@@ -152,6 +152,17 @@ fn readme_repeats_what_the_findings_say() {
 }
 
 #[test]
+fn readme_shows_the_example_as_it_is() {
+    let read = |file: &str| {
+        let path = format!("{}/../{file}", env!("CARGO_MANIFEST_DIR"));
+        std::fs::read_to_string(path).unwrap()
+    };
+    let example = read("compare/examples/one_collision.rs");
+    let (_, code) = example.split_once("\n\n").unwrap();
+    assert!(read("README.md").contains(&format!("```rust\n{}\n```", code.trim_end())));
+}
+
+#[test]
 fn readme_table_of_deflections() {
     let mut readme = Claims::default();
     for (approach, beta, dx) in [
