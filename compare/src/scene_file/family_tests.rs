@@ -66,8 +66,8 @@ fn a_family_has_a_scene_for_each_value_and_defaults_follow() {
     let at = |values: &[(&str, f64)]| family.scene(values).unwrap().scene;
     let [one, two] = at(&[]).start;
     assert_eq!(one.position, Vector3::new(-0.5, 5.0, 0.0));
-    assert_eq!(one.orientation, Orientation::Angle(-PI / 2.0));
-    assert_eq!(two.orientation, Orientation::Angle(PI / 2.0));
+    assert_eq!(one.orientation, Orientation::Radians(-PI / 2.0));
+    assert_eq!(two.orientation, Orientation::Radians(PI / 2.0));
     let scene = at(&[("dx", 3.0)]);
     assert_eq!(scene.start[1].position.x, 1.5);
     assert_eq!(scene.squirmers[0], Squirmer::with_beta(1.0, 3.5).unwrap());

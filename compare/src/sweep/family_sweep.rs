@@ -84,8 +84,8 @@ impl Tail {
 pub struct SweepRow(pub Vec<String>);
 
 impl SweepRow {
-    /// A field by its place from the end.
-    fn from_end(&self, place: usize) -> &str {
+    /// A field by its place, counted from the end.
+    fn behind(&self, place: usize) -> &str {
         let at = self.0.len().checked_sub(place);
         at.and_then(|at| self.0.get(at)).map_or("", String::as_str)
     }
@@ -93,7 +93,7 @@ impl SweepRow {
 
 impl Row for SweepRow {
     fn outcome(&self) -> &str {
-        self.from_end(2)
+        self.behind(2)
     }
 }
 
