@@ -35,5 +35,5 @@ pub use method::Method;
 pub use model::{BEM_TABLE_TOLERANCE, EXACT_TABLE_TOLERANCE, Model, ModelOptions};
 pub use numbers::{Numbers, parse_numbers};
 pub use output::{OutputFolder, csv_text};
-pub use scene_file::{Family, Mistake, Mistakes, SceneFile};
+pub use scene_file::{Family, FamilyScene, Mistake, Mistakes, SceneFile};
 pub use study::{ComparisonRow, LoadErrorRow, MeshErrorRow, comparison, load_errors, mesh_errors};

@@ -183,3 +183,6 @@ impl Template {
         Some(FamilyScene { scene, run })
     }
 }
+
+#[cfg(test)]
+mod tests;

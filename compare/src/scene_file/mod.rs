@@ -85,6 +85,4 @@ impl SceneFile {
 }
 
 #[cfg(test)]
-mod family_tests;
-#[cfg(test)]
 mod tests;

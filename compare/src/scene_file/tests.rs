@@ -228,4 +228,8 @@ fn the_mistakes_of_the_reference_page_are_those_that_are_printed() {
     let found = mistakes(&text);
     assert_eq!(found.len(), 1, "{found:?}");
     assert!(shown.contains(&found[0]), "{}", found[0]);
+    let family = Family::parse(blocks(page, "toml")[3]).unwrap();
+    let mistakes = family.scene(&[("dx", 0.0), ("turn", 180.0)]).unwrap_err();
+    let shown = blocks(page, "text")[0].trim_end();
+    assert_eq!(shown, mistakes.to_string());
 }

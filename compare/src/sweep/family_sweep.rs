@@ -16,7 +16,7 @@ use crate::{CompareError, Family, Method, Model};
 const NAME: &str = "sweep";
 
 /// Columns behind those of the parameters.
-const COLUMNS: [&str; 7] = [
+pub(super) const COLUMNS: [&str; 7] = [
     "method",
     "deflection1_deg",
     "deflection2_deg",

@@ -3,6 +3,7 @@
 use scene::{Exchange, LoadSet, Plan, RunOptions};
 
 use super::Axis;
+use super::family_sweep::COLUMNS;
 use crate::{CompareError, Family, Numbers};
 
 /// Most points of a sweep.
@@ -48,6 +49,13 @@ impl Points {
                 } else {
                     format!("the family has the parameters {}", known.join(", "))
                 };
+                return Err(CompareError::input("--vary", name, allowed));
+            }
+            if COLUMNS.contains(&name.as_str()) {
+                let allowed = format!(
+                    "columns of every sweep have these names: {}; give the parameter another one",
+                    COLUMNS.join(", ")
+                );
                 return Err(CompareError::input("--vary", name, allowed));
             }
             if axes.iter().any(|axis| axis.name == *name) {
@@ -261,6 +269,10 @@ mod tests {
         );
         let error = points(&[("x", &[3.0]), ("x", &[4.0])]).unwrap_err();
         assert!(error.to_string().contains("twice"), "{error}");
+        let family = Family::parse(&FAMILY.replace("y", "tau")).unwrap();
+        let vary = [("tau".to_owned(), Numbers(vec![1.0]))];
+        let error = Points::new(family, &vary, AS_IN_FILE).unwrap_err();
+        assert!(error.to_string().contains("another"), "{error}");
     }
 
     #[test]

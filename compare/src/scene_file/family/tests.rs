@@ -6,9 +6,10 @@
 use std::f64::consts::PI;
 
 use nalgebra::Vector3;
-use scene::{Gravity, Orientation, Repulsion, Squirmer};
+use scene::{Orientation, Repulsion, Squirmer};
 
 use super::*;
+use crate::{Method, SceneFile};
 
 const FAMILY: &str = "[parameters]
 dx = 1.0 # δx
