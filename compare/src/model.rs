@@ -9,7 +9,7 @@ use lt::{Form, Lubrication};
 use scene::{
     Configuration, Gap, Hydrodynamics, Isolated, LoadSet, ModelDescription, PairLoads, Plan,
     PlanRow, Rates, Run, RunOptions, Sample, Scene, SceneError, SwirlLoads, TableOptions,
-    TableSummary, Tabulated, rates, run_observed, run_plan,
+    TableSummary, Tabulated, rates_any, run_any,
 };
 
 use crate::scene_file::Hydrodynamics as InFiles;
@@ -82,29 +82,12 @@ impl ModelOptions {
 /// A model chosen at run time.
 pub(crate) type AnyModel = Box<dyn Hydrodynamics>;
 
-/// What a collision's right-hand side is fast enough to notice is its own type, with a compiled loop of
-/// its own; what solves for every load is not.
+/// A closed form's right-hand side is so quick that it has a compiled loop of its own; what looks loads up in a table
+/// or solves for them shares one.
 enum Kind {
     Lubrication(Lubrication),
     Table(Box<Tabulated<AnyModel>>),
     Direct(AnyModel),
-}
-
-/// The same expression for the model of each kind.
-macro_rules! on_kind {
-    ($kind:expr, $model:ident => $do:expr) => {
-        match $kind {
-            Kind::Lubrication($model) => $do,
-            Kind::Table(boxed) => {
-                let $model = boxed.as_ref();
-                $do
-            }
-            Kind::Direct(boxed) => {
-                let $model = boxed.as_ref();
-                $do
-            }
-        }
-    };
 }
 
 /// A method ready to run.
@@ -198,13 +181,15 @@ impl Model {
         }
     }
 
-    /// Runs a scene; each kind of model has its own compiled loop.
+    /// Runs a scene.
     ///
     /// # Errors
     /// As [`scene::run`].
     pub fn run(&self, scene: &Scene, options: &RunOptions) -> Result<Run, SceneError> {
         let plan = Plan::new(scene)?;
-        on_kind!(&self.kind, model => run_plan(&plan, model, options))
+        let mut samples = Vec::new();
+        let run = self.run_observed(&plan, options, &mut |sample| samples.push(*sample))?;
+        Ok(Run { samples, ..run })
     }
 
     /// Runs a plan and hands over its samples as they come.
@@ -217,7 +202,10 @@ impl Model {
         options: &RunOptions,
         observe: &mut dyn FnMut(&Sample),
     ) -> Result<Run, SceneError> {
-        on_kind!(&self.kind, model => run_observed(plan, model, options, observe))
+        match &self.kind {
+            Kind::Lubrication(model) => model.run(plan, options, observe),
+            _ => run_any(plan, self.hydrodynamics(), options, observe),
+        }
     }
 
     /// The right-hand side of a plan, evaluated `times` times over.
@@ -230,7 +218,10 @@ impl Model {
         configuration: &Configuration,
         times: usize,
     ) -> Result<Rates, SceneError> {
-        on_kind!(&self.kind, model => rates(plan, model, configuration, times))
+        match &self.kind {
+            Kind::Lubrication(model) => model.rates(plan, configuration, times),
+            _ => rates_any(plan, self.hydrodynamics(), configuration, times),
+        }
     }
 
     /// Seconds of one right-hand side of a plan at `configuration`: the smallest of a few batches, or of few
@@ -264,7 +255,11 @@ impl Model {
     }
 
     fn hydrodynamics(&self) -> &dyn Hydrodynamics {
-        on_kind!(&self.kind, model => model)
+        match &self.kind {
+            Kind::Lubrication(model) => model,
+            Kind::Table(model) => model.as_ref(),
+            Kind::Direct(model) => model.as_ref(),
+        }
     }
 }
 

@@ -16,8 +16,8 @@
 
 use scene::singular::{self, Singular};
 use scene::{
-    Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError, SelfOther,
-    SwirlLoads,
+    Configuration, Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, PairLoads, Plan, Rates,
+    Run, RunOptions, Sample, SceneError, SelfOther, SwirlLoads,
 };
 
 /// Gap up to which the spheres interact, in sphere radii.
@@ -61,6 +61,34 @@ impl Lubrication {
 
 /// Gaps for which the closed form can be evaluated.
 const RANGE: GapRange = GapRange::from(f64::MIN_POSITIVE);
+
+impl Lubrication {
+    /// Runs a plan and hands over its samples as they come: [`scene::run_observed`], compiled once for this model, here.
+    ///
+    /// # Errors
+    /// As [`scene::run_observed`].
+    pub fn run(
+        &self,
+        plan: &Plan,
+        options: &RunOptions,
+        observe: &mut dyn FnMut(&Sample),
+    ) -> Result<Run, SceneError> {
+        scene::run_observed(plan, self, options, observe)
+    }
+
+    /// The right-hand side of a plan, evaluated `times` times over: [`scene::rates`], compiled once for this model, here.
+    ///
+    /// # Errors
+    /// As [`scene::rates`].
+    pub fn rates(
+        &self,
+        plan: &Plan,
+        configuration: &Configuration,
+        times: usize,
+    ) -> Result<Rates, SceneError> {
+        scene::rates(plan, self, configuration, times)
+    }
+}
 
 impl Hydrodynamics for Lubrication {
     fn description(&self) -> ModelDescription<'_> {

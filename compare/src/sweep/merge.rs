@@ -332,7 +332,8 @@ mod tests {
 
     #[test]
     fn a_foreign_share_is_told_with_what_differs() {
-        let changes: [(&str, fn(&mut Manifest)); 7] = [
+        type Change = fn(&mut Manifest);
+        let changes: [(&str, Change); 7] = [
             ("version", |m| m.sweep.version.push('x')),
             ("family", |m| m.sweep.family.push('x')),
             ("varied", |m| m.sweep.axes.clear()),
@@ -351,7 +352,8 @@ mod tests {
 
     #[test]
     fn a_torn_share_is_told() {
-        let torn: [fn(&Path); 4] = [
+        type Tear = fn(&Path);
+        let torn: [Tear; 4] = [
             |rows| std::fs::write(rows, "x,outcome\n5.5,scattered\n").unwrap(),
             |rows| {
                 let text = std::fs::read_to_string(rows).unwrap();

@@ -32,6 +32,19 @@ pub fn rates<H: Hydrodynamics + ?Sized>(
     Ok((plan.plane()).map_or(rates, |plane| plane.rates_outside(&rates)))
 }
 
+/// As [`rates`], for a model chosen at run time; compiled once, here.
+///
+/// # Errors
+/// As [`rates`].
+pub fn rates_any(
+    plan: &Plan,
+    model: &dyn Hydrodynamics,
+    configuration: &Configuration,
+    times: usize,
+) -> Result<Rates, SceneError> {
+    rates(plan, model, configuration, times)
+}
+
 struct Evaluation<'a> {
     configuration: &'a Configuration,
     times: usize,

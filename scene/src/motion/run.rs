@@ -57,6 +57,20 @@ pub fn run_plan<H: Hydrodynamics + ?Sized>(
     Ok(Run { samples, ..run })
 }
 
+/// As [`run_observed`], for a model chosen at run time. A loop for each model takes long to compile; this one is
+/// compiled once, here.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_any(
+    plan: &Plan,
+    model: &dyn Hydrodynamics,
+    options: &RunOptions,
+    observe: &mut dyn FnMut(&Sample),
+) -> Result<Run, SceneError> {
+    run_observed(plan, model, options, observe)
+}
+
 /// Runs a plan and hands over its samples as they come; the result holds none.
 ///
 /// # Errors
