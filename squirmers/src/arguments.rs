@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 use crate::commands::cost::CostArguments;
+use crate::commands::hard_cases::HardCaseArguments;
 use crate::commands::maps::{self, MapArguments, TrustArguments};
 use crate::commands::{bottom_heavy, scene};
 use crate::error::CommandError;
@@ -128,8 +129,8 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  squirmers explain fixtures/scenes/fig8e-downward.toml")]
     Explain(scene::ExplainArguments),
     /// Numerically hard cases, each held against a bound; exit status 1 if one is broken
-    #[command(after_help = "Example:\n  squirmers hard-cases --out out")]
-    HardCases,
+    #[command(after_help = "Example:\n  squirmers hard-cases --only contact,long-runs")]
+    HardCases(HardCaseArguments),
     /// All of it, with the paper's cases, into one self-contained index.html
     #[command(after_help = "Example:\n  squirmers report --out out && xdg-open out/index.html")]
     Report {
