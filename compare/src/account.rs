@@ -40,10 +40,16 @@ impl Account {
         skipped > 0
     }
 
-    /// So many bounds are broken, of so many.
-    pub fn broken(&self, broken: usize, bounds: usize) {
-        self.broken.fetch_add(broken, Relaxed);
+    /// Enters bounds: for each whether it holds. How many of them are broken.
+    pub fn bounds(&self, holds: impl Iterator<Item = bool>) -> usize {
+        let (mut bounds, mut broken) = (0, 0);
+        for holds in holds {
+            bounds += 1;
+            broken += usize::from(!holds);
+        }
         self.bounds.fetch_add(bounds, Relaxed);
+        self.broken.fetch_add(broken, Relaxed);
+        broken
     }
 
     /// Whether the time limit has left something out.

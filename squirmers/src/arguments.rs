@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 use crate::commands::cost::CostArguments;
+use crate::commands::hard_cases::HardCaseArguments;
 use crate::commands::maps::{self, MapArguments, TrustArguments};
 use crate::commands::sweep::{self, MergeArguments, SweepArguments};
 use crate::commands::{bottom_heavy, scene};
@@ -129,8 +130,8 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  squirmers explain fixtures/scenes/fig8e-downward.toml")]
     Explain(scene::ExplainArguments),
     /// Numerically hard cases, each held against a bound; exit status 1 if one is broken
-    #[command(after_help = "Example:\n  squirmers hard-cases --out out")]
-    HardCases,
+    #[command(after_help = "Example:\n  squirmers hard-cases --only contact,long-runs")]
+    HardCases(HardCaseArguments),
     /// A family of scenes along any of its parameters: one row a scene and model
     #[command(
         after_help = "Example:\n  squirmers sweep opposed --vary beta=-5,0,5 --vary dx=0.5:3:0.5 --method lt,exact\n  \

@@ -177,35 +177,6 @@ fn an_interrupted_map_is_not_thrown_away_by_another_one_unless_that_is_asked_for
     assert_eq!(text(out, "scatter.csv").lines().count(), 1 + 36);
 }
 
-#[test]
-fn maps_at_once_in_one_folder_lose_no_work() {
-    let large = |beta: &'static str| ["scatter", "--grid", "60", "--method", "lt", "--beta", beta];
-    for second in ["5", "-5"] {
-        let folder = tempfile::tempdir().unwrap();
-        let out = folder.path();
-        let start = |beta| {
-            Command::new(env!("CARGO_BIN_EXE_squirmers"))
-                .args(large(beta))
-                .arg("--out")
-                .arg(out)
-                .stdout(std::process::Stdio::null())
-                .stderr(std::process::Stdio::piped())
-                .spawn()
-                .unwrap()
-        };
-        let both = [start("5"), start(second)].map(|child| child.wait_with_output().unwrap());
-        let done = both.iter().filter(|output| output.status.success()).count();
-        assert!(done >= 1, "{both:?}");
-        for output in both.iter().filter(|output| !output.status.success()) {
-            let message = String::from_utf8_lossy(&output.stderr);
-            assert_eq!(output.status.code(), Some(2), "{message}");
-            assert_eq!(message.trim().lines().count(), 1, "{message}");
-            assert!(message.contains("another run writes"), "{message}");
-        }
-        assert_eq!(text(out, "scatter.csv").lines().count(), 1 + 3600);
-    }
-}
-
 #[cfg(target_os = "linux")]
 #[test]
 fn memory_does_not_grow_with_the_number_of_maps() {

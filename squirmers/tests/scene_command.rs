@@ -139,60 +139,6 @@ fn a_run_that_fails_does_not_pass_files_of_another_scene_off_as_its_own() {
     assert_eq!(files(&out), ["run.csv", "run.json", "run.svg"]);
 }
 
-#[test]
-fn runs_at_once_in_one_folder_finish_or_are_told_before_they_begin() {
-    let folder = tempfile::tempdir().unwrap();
-    let start = |name: &str| {
-        Command::new(env!("CARGO_BIN_EXE_squirmers"))
-            .arg("run")
-            .arg(scene(name))
-            .arg("--out")
-            .arg(folder.path())
-            .stdout(std::process::Stdio::null())
-            .stderr(std::process::Stdio::piped())
-            .spawn()
-            .unwrap()
-    };
-    let names = ["fig6-head-on-dx1", "fig6-head-on-dx2", "fig6-head-on-dx1"];
-    let outputs = names
-        .map(start)
-        .map(|child| child.wait_with_output().unwrap());
-    assert!(outputs.iter().any(|output| output.status.success()));
-    for output in outputs
-        .into_iter()
-        .filter(|output| !output.status.success())
-    {
-        assert_eq!(output.status.code(), Some(2));
-        let message = text(output.stderr);
-        assert_eq!(message.trim().lines().count(), 1, "{message}");
-        assert!(message.contains("another run writes"), "{message}");
-    }
-    assert_eq!(files(folder.path()), ["run.csv", "run.json", "run.svg"]);
-}
-
-/// A limit of so many blocks a file stands for a full disk: the system refuses to write more.
-#[cfg(target_os = "linux")]
-#[test]
-fn a_full_disk_is_told_with_the_file_that_does_not_fit() {
-    let folder = tempfile::tempdir().unwrap();
-    for blocks in ["0", "4"] {
-        let output = Command::new("sh")
-            // Without the trap the system would end the program by a signal.
-            .args(["-c", "trap '' XFSZ; ulimit -f \"$0\"; exec \"$@\"", blocks])
-            .arg(env!("CARGO_BIN_EXE_squirmers"))
-            .arg("run")
-            .arg(scene("fig6-head-on-dx1"))
-            .arg("--out")
-            .arg(folder.path())
-            .output()
-            .unwrap();
-        let message = text(output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{message}");
-        assert_eq!(message.trim().lines().count(), 1, "{message}");
-        assert!(message.contains("run.csv"), "{message}");
-    }
-}
-
 #[cfg(target_os = "linux")]
 #[test]
 fn a_file_without_end_is_refused() {

@@ -1,4 +1,5 @@
-//! Boundary elements: random gaps, refusals, rotated meshes, and the systems' conditions; panels are beside.
+//! Boundary elements: errors at random gaps, gaps that are refused, rotated meshes, and condition numbers.
+//! [`super::panels`] has the integrals over panels.
 
 use bem::{Bem, Body, Lab};
 use exact::Exact;
@@ -23,7 +24,8 @@ pub(super) fn cases(_: &Bench, rows: &mut Rows) {
     rows.attempt(name, "panels", panels);
 }
 
-/// The systems at gaps of 1 and 0.01 at level 2, with and without the term that fixes the normal's share.
+/// Condition numbers at level 2 and gaps of 1 and 0.01, with and without deflation. Deflation is the term that fixes the
+/// part of the density along the normal.
 fn conditions(rows: &mut Rows) -> Result<(), CompareError> {
     const LEVEL: usize = 2;
     let (name, model) = (Method::Bem.name(), Bem::new(LEVEL)?);
@@ -32,20 +34,22 @@ fn conditions(rows: &mut Rows) -> Result<(), CompareError> {
         let found = model.conditions(gap, LOADS)?;
         let most = found.iter().map(|c| c.solved).fold(0.0, larger);
         let estimate = model.error_estimate(gap, LOADS)?.unwrap_or(f64::NAN);
-        let from = "rounding times condition below the estimated error of the discretisation";
+        let from = "rounding x condition number must be below the estimated error of the mesh";
         rows.add(
             name,
-            format!("gap {eps}, level {LEVEL}: largest condition number of the six systems"),
+            format!(
+                "gap {eps}, level {LEVEL}: largest condition number of the six systems of equations"
+            ),
             (estimate / f64::EPSILON, from),
             most,
         );
         let gained = (found.iter())
             .filter_map(|c| Some(c.solved / c.without_deflation?))
             .fold(0.0, larger);
-        let from = "the normal induces no flow: without the term the condition is that of the discretisation";
+        let from = "a density along the normal makes no flow: without deflation only the mesh's error makes the system solvable";
         rows.add(
             name,
-            format!("gap {eps}, level {LEVEL}: condition of the axial systems with deflation over without"),
+            format!("gap {eps}, level {LEVEL}: condition number of the axial systems with deflation, divided by that without"),
             (1.0, from),
             gained,
         );
@@ -53,13 +57,14 @@ fn conditions(rows: &mut Rows) -> Result<(), CompareError> {
     Ok(())
 }
 
-/// Numbers in [0, 1) that fill it evenly, by additive recurrence with the golden ratio and its relatives.
+/// The `k`-th number of a sequence that fills [0, 1) evenly: multiples of an irrational number (the golden ratio or a
+/// generalisation of it) without their whole parts.
 fn share(k: usize, of: f64) -> f64 {
     ((k + 1) as f64 * of).fract()
 }
 
-/// Error of the loads in motions of a plane over their estimate; none where the level refuses the gap.
-/// Rotation about the line of centres, the easiest of the loads, is left out.
+/// Error of the loads that motion in a plane needs, divided by its estimate; none where the level refuses the gap. These
+/// loads leave out rotation about the line of centres, which is the easiest.
 fn over_estimate(model: &Bem, exact: &Exact, gap: Gap) -> Result<Option<f64>, CompareError> {
     const LOADS: LoadSet = LoadSet::planar(2);
     if model.check(gap).is_err() {
@@ -70,10 +75,10 @@ fn over_estimate(model: &Bem, exact: &Exact, gap: Gap) -> Result<Option<f64>, Co
     Ok(Some(found / estimate))
 }
 
-/// Random gaps, as many at each level as their price allows, all of them answered: `(level, gaps)`.
+/// `(level, number of random gaps)`: fewer at finer levels, which take longer.
 const ANSWERED: [(usize, usize); 3] = [(1, 140), (2, 55), (3, 10)];
 
-/// Gaps over the whole range that a level answers for, up to 1, in `ln eps` evenly at random.
+/// Random gaps from the smallest of a level's range to 1, evenly distributed in `ln eps`.
 fn random_gaps(rows: &mut Rows) -> Result<(), CompareError> {
     let exact = Exact::new();
     let mut ratios = Vec::new();
@@ -100,14 +105,14 @@ fn random_gaps(rows: &mut Rows) -> Result<(), CompareError> {
         format!("share of {answered} random gaps at levels 1 to 3 with an error above 3 estimates"),
         (
             0.05,
-            "the estimate is the difference of two levels: errors fall by a quarter at least, as panels do, but where they happen to agree",
+            "the estimate is the difference of two levels; errors fall by a quarter at least, as panels do, so that the ratio is above 3 only where the levels agree by chance",
         ),
         wrong as f64 / answered as f64,
     );
     rows.add(
         name,
-        "random gaps of a level's range that are refused",
-        (0.0, "the range is what a level answers for"),
+        "random gaps within a level's range that are refused",
+        (0.0, "a level gives loads at every gap of its range"),
         refused as f64,
     );
     Ok(())
@@ -130,10 +135,10 @@ fn closing_gap(rows: &mut Rows) -> Result<(), CompareError> {
         let worst = ratios.iter().flatten().copied().fold(0.0, larger);
         rows.add(
             Method::Bem.name(),
-            format!("level {level}, {COUNT} gaps from 1 to 1e-4, {refused} of them refused: largest error over the estimate"),
+            format!("level {level}, {COUNT} gaps from 1 to 1e-4, {refused} of them refused: largest error, divided by its estimate"),
             (
                 3.0,
-                "the estimate is the difference of two levels: errors fall by a quarter at least, as panels do",
+                "the estimate is the difference of two levels; errors fall by a quarter at least, as panels do",
             ),
             worst,
         );
@@ -141,6 +146,7 @@ fn closing_gap(rows: &mut Rows) -> Result<(), CompareError> {
     Ok(())
 }
 
+/// Gaps below the range of a level.
 fn refusals(rows: &mut Rows) -> Result<(), CompareError> {
     let mut answered = 0;
     for level in Bem::LEVELS.0..=Bem::LEVELS.1 {
@@ -152,14 +158,14 @@ fn refusals(rows: &mut Rows) -> Result<(), CompareError> {
     }
     rows.add(
         Method::Bem.name(),
-        "gaps below a level's range that are answered",
-        (0.0, "a mesh that does not resolve the gap refuses it"),
+        "gaps below a level's range that are not refused",
+        (0.0, "a mesh refuses gaps that it does not resolve"),
         answered as f64,
     );
     Ok(())
 }
 
-/// The laboratory-frame solver, whose meshes are turned at random, so that no mirror is left.
+/// The solver in the laboratory frame, with both meshes turned at random, so that they have no mirror symmetry.
 fn rotated_meshes(rows: &mut Rows) -> Result<(), CompareError> {
     const LEVEL: usize = 1;
     const COUNT: usize = 6;
@@ -205,11 +211,11 @@ fn rotated_meshes(rows: &mut Rows) -> Result<(), CompareError> {
         rows.add(
             Method::Bem.name(),
             format!(
-                "gap {eps}: scatter of the velocities over {COUNT} random rotations of both meshes"
+                "gap {eps}: largest difference of the velocities from the first of {COUNT} random rotations of both meshes"
             ),
             (
                 3.0 * estimate,
-                "two answers, each off by 3/2 of the difference from the next level, if errors fall by three as the model states",
+                "two results, each with an error of 3/2 of the difference from the next level; the model states that errors fall by a factor of three",
             ),
             scatter,
         );

@@ -1,4 +1,4 @@
-//! Contact: gaps from 1e-1 to 1e-14.
+//! Contact: loads, mobilities and velocities at gaps from 1e-1 to 1e-14.
 
 use exact::Exact;
 use scene::balance::{External, Heading, PairVelocity, pair_velocity};
@@ -14,10 +14,10 @@ const LOADS: LoadSet = LoadSet::all(2);
 /// Largest relative error of one rounding.
 const ROUNDING: f64 = 0.5 * f64::EPSILON;
 
-/// Velocities by lubrication theory to 50 digits, with the script that made them beside.
+/// Velocities by lubrication theory to 50 digits; the script that computed them is in the same folder.
 const VELOCITIES: &str = fixtures::CONTACT_VELOCITIES;
 
-/// Axial drags and torques by closed series to 50 digits, likewise.
+/// Axial drags and torques by closed series to 50 digits; their script is there too.
 const AXIAL_LOADS: &str = fixtures::CONTACT_LOADS;
 
 pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
@@ -31,7 +31,7 @@ pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
     }
 }
 
-/// The gaps `1e-1, 1e-2, ..., 1e-14` that a model answers for.
+/// Those of the gaps `1e-1, 1e-2, ..., 1e-14` that are in the range of a model.
 fn gaps(model: &Model) -> Result<Vec<Gap>, CompareError> {
     let all = (1..=14)
         .map(|decade| Gap::new(10f64.powi(-decade)))
@@ -64,42 +64,42 @@ fn loads(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     rows.add(
         name,
         "loads that are not finite",
-        (0.0, "closed forms"),
+        (0.0, "all loads are finite at a positive gap"),
         not_finite as f64,
     );
-    let from = "dissipation: whatever the forces, they do work";
+    let from = "dissipation: any forces on the spheres do positive work";
     rows.add(
         name,
         format!("of {count} gaps: those at which the mobility is not positive definite"),
         (0.0, from),
         indefinite as f64,
     );
-    let from =
-        "least dissipation: a sphere's own mobility is at most a lone one's, a pair's twice that";
+    let from = "least dissipation: a sphere's own mobility is at most that of a lone sphere, an eigenvalue of the pair's at most twice that";
     rows.add(
         name,
-        "largest eigenvalue of the mobility over a lone sphere's",
+        "largest eigenvalue of the mobility, divided by the mobility of a lone sphere",
         (2.0, from),
         most,
     );
-    let from = "2 x 2 balance of the singular parts: 1 + L/7 at L = ln(1e14), less than one digit";
+    let from =
+        "2 x 2 force balance of the diverging parts: 1 + L/7 at L = ln(1e14), less than one digit";
     rows.add(
         name,
         "digits lost to cancellation in the force balance",
         (1.0, from),
         lost,
     );
-    let from = "Cramer's rule: 3 roundings times the cancellation, and 8 more";
+    let from = "Cramer's rule: 3 roundings times the cancellation, plus 8 roundings";
     rows.add(
         name,
-        "error of the velocities (from a residual to 106 bits) over what rounding allows",
+        "error of the velocities (from a residual with 106 bits), divided by what rounding allows",
         (1.0, from),
         worst,
     );
     Ok(())
 }
 
-/// Eigenvalues of the mobility matrix over those of lone spheres.
+/// Eigenvalues of the mobility matrix, divided by those of lone spheres.
 fn mobilities(loads: &PairLoads) -> Vec<f64> {
     let single = [
         loads.xa.sum,
@@ -124,7 +124,7 @@ struct Block {
     c: f64,
 }
 
-/// Both parities: in-phase and opposed translation.
+/// The block of equal translations of both spheres, and that of opposite ones.
 fn blocks(loads: &PairLoads) -> [Block; 2] {
     let PairLoads { ya, yb, yc, .. } = loads;
     [
@@ -142,14 +142,14 @@ fn blocks(loads: &PairLoads) -> [Block; 2] {
 }
 
 impl Block {
-    /// By how much the determinant is smaller than its first term.
+    /// First term of the determinant, divided by the determinant: how much cancels in their difference.
     fn cancellation(&self) -> f64 {
         let first = 48.0 * self.a * self.c;
         first / (first - 16.0 * self.b * self.b)
     }
 
-    /// Relative error of the velocities that [`pair_velocity`] finds for unit torque: one step of
-    /// refinement, whose residual is formed in twice the digits.
+    /// Relative error of the velocities that [`pair_velocity`] finds for unit torque. The error is what one step of
+    /// iterative refinement changes; the residual has twice the digits of a double.
     fn error(&self, gap: Gap, loads: &PairLoads) -> Result<f64, CompareError> {
         let opposed = self.a > loads.ya.sum || self.c < loads.yc.difference;
         let torque = if opposed { [0.5, 0.5] } else { [0.5, -0.5] };
@@ -174,7 +174,7 @@ impl Block {
     }
 }
 
-/// Motion of two passive spheres under torques.
+/// Motion of two passive spheres under torques, per `pi mu a^2`.
 fn torqued(
     gap: Gap,
     loads: &PairLoads,
@@ -198,7 +198,7 @@ fn torqued(
     ))
 }
 
-/// `start` plus two products, with the rounding of every operation carried along.
+/// `start` plus two products; the rounding error of each operation is computed and added at the end.
 fn residual(start: f64, products: [(f64, f64); 2]) -> f64 {
     let (mut sum, mut rest) = (start, 0.0);
     for (x, y) in products {
@@ -221,8 +221,8 @@ struct AxialLoads {
     xc_difference: f64,
 }
 
-/// Drags along and torques about the line of centres, which have closed series: the exact loads, below a gap
-/// of 1e-4 by their limiting form, against 50 digits.
+/// Drags along and torques about the line of centres have closed series. The exact loads (below a gap of 1e-4 their
+/// limiting form) are compared with 50 digits of these series.
 fn closed_series(rows: &mut Rows) -> Result<(), CompareError> {
     let (name, model) = (Method::Exact.name(), Exact::new());
     let mut worst = 0.0_f64;
@@ -243,8 +243,8 @@ fn closed_series(rows: &mut Rows) -> Result<(), CompareError> {
     }
     rows.add(
         name,
-        "error of X11A, X12A, X11C, X12C against 50 digits over the estimate, gaps 1e-1 to 1e-14",
-        (1.0, "the model's own estimate, as for all loads"),
+        "error of X11A, X12A, X11C, X12C (from 50 digits), divided by its estimate, gaps 1e-1 to 1e-14",
+        (1.0, "the error estimate that the model gives for all loads"),
         worst,
     );
     Ok(())
@@ -307,7 +307,8 @@ fn fifty_digits(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
             found.spin[0],
             found.spin[1],
         ];
-        // The axial ones alone, the transverse ones beside the largest of them, which are one system.
+        // Each axial velocity is relative to itself. The transverse ones solve one system: they are relative to the
+        // largest of them.
         let across = expected[2..]
             .iter()
             .fold(0.0_f64, |most, v| most.max(v.abs()));
@@ -316,11 +317,10 @@ fn fifty_digits(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
             worst = larger(worst, (found - expected).abs() / scale);
         }
     }
-    let from =
-        "loads 6 roundings, sums over modes 10, Cramer's rule 3 x 6 + 8: 42 units of 1.1e-16";
+    let from = "roundings of 1.1e-16: loads 6, sums over modes 10, Cramer's rule 3 x 6 + 8; together 42 (cancellation up to a factor of 6)";
     rows.add(
         name,
-        "relative error of the velocities against 50 digits, gaps 1e-1 to 1e-14",
+        "relative error of the velocities (from 50 digits), gaps 1e-1 to 1e-14",
         (42.0 * ROUNDING, from),
         worst,
     );

@@ -1,4 +1,4 @@
-//! Far apart, the ends of the tables, and the seams between their pieces.
+//! Pairs that are far apart, the ends of the tables, and the seams between their pieces.
 
 use bem::Bem;
 use scene::balance::{External, Heading, pair_velocity};
@@ -14,7 +14,8 @@ const LOADS: LoadSet = LoadSet::all(2);
 /// The loads of rigid motion alone.
 const DRAGS: LoadSet = LoadSet::all(0);
 
-/// Error of a level over its difference from the next, if errors fall by three a level as `bem` states.
+/// Error of a level, divided by its difference from the next level. `bem` states that errors fall by a factor of three
+/// from level to level: hence 3/2.
 const LAST: f64 = 1.5;
 
 pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
@@ -41,8 +42,8 @@ fn worst(one: &[f64], two: &[f64]) -> f64 {
         .fold(0.0, larger)
 }
 
-/// Values and slopes on both sides of the seam between near and far pieces, and values where the table
-/// ends and the model's closed form begins.
+/// Loads and their slopes on both sides of the seam between near and far pieces, and loads where the table ends and the
+/// model's closed form begins.
 fn seams(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     const STEP: f64 = 1e-3;
     let name = model.method().name();
@@ -51,7 +52,7 @@ fn seams(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     rows.add(
         name,
         format!("jump of the loads at the seam, gap {FAR_GAP}"),
-        (2.0 * error + 1e-14, "interpolation error of both pieces"),
+        (2.0 * error + 1e-14, "interpolation errors of both pieces"),
         worst(&columns(model, FAR_GAP)?, &columns(model, beyond)?),
     );
     // One-sided differences of second order.
@@ -68,10 +69,10 @@ fn seams(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let bound = 8.0 * error / STEP + STEP * STEP;
     rows.add(
         name,
-        "jump of the loads' slopes there",
+        format!("jump of the slopes of the loads at the seam, gap {FAR_GAP}"),
         (
             bound,
-            "interpolation error over the step 1e-3 of one-sided differences, and their h^2",
+            "8 x interpolation error/h, plus h^2, for one-sided differences of second order with the step h = 1e-3",
         ),
         worst(&slopes(FAR_GAP, -STEP)?, &slopes(beyond, STEP)?),
     );
@@ -80,10 +81,10 @@ fn seams(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         let rounding = 4.0 * f64::EPSILON;
         rows.add(
             name,
-            format!("jump of the loads at the table's end, gap {at:e}"),
+            format!("jump of the loads at the end of the table, gap {at:e}"),
             (
                 2.0 * error + rounding + 1e-11,
-                "interpolation error, and the range's slack of 1e-12",
+                "interpolation errors, and 1e-12 by which the range of a table is extended for rounding",
             ),
             worst(
                 &columns(model, at * (1.0 + 1e-13))?,
@@ -94,8 +95,8 @@ fn seams(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     Ok(())
 }
 
-/// Far loads by the method of reflections (Kim & Karrila, chapter 11), with `1/r` the expansion's
-/// variable: what is left out is of relative order `1/r^2`, with factors below 5.
+/// Loads of spheres far apart by the method of reflections (Kim & Karrila, chapter 11), an expansion in `1/r`. Here only
+/// its first terms are kept; the next ones are smaller by `1/r^2`, with factors below 5.
 fn reflections(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let name = model.method().name();
     let error = model.table().map_or(0.0, |table| table.interpolation_error);
@@ -119,10 +120,10 @@ fn reflections(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         };
         rows.add(
             name,
-            format!("gap {eps:e}: loads off their leading reflections"),
+            format!("gap {eps:e}: loads, difference from the first reflections"),
             (
                 5.0 / r.powi(3) + 4.0 * error + estimate + 1e-14,
-                "next reflections, at most 5/r^3; errors that the model states, of a mesh 3/2 of the difference from the next level",
+                "next reflections, at most 5/r^3; the error that the model states (of a mesh 3/2 of the difference from the next level)",
             ),
             most_apart(&found, &reflected),
         );
@@ -130,7 +131,8 @@ fn reflections(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     Ok(())
 }
 
-/// What the leading reflections tell: drags on the sphere that moves, over those of a lone one, and on the other.
+/// The scalars that the first reflections give: for the sphere that moves its excess over a lone sphere, and for the
+/// other sphere the scalar itself.
 fn drags(loads: &PairLoads) -> [f64; 5] {
     [
         loads.xa.own() - 1.0,
@@ -146,12 +148,12 @@ fn most_apart(one: &[f64], other: &[f64]) -> f64 {
     pairs.map(|(a, b)| (a - b).abs()).fold(0.0, larger)
 }
 
-/// The level of these cases and the next.
+/// Boundary elements at the level of these cases and at the next level.
 fn levels() -> Result<[Bem; 2], CompareError> {
     Ok([Bem::new(MESH)?, Bem::new(MESH + 1)?])
 }
 
-/// Squirmers 1e6 apart swim straight.
+/// Squirmers that are 1e6 radii apart swim straight.
 fn far_flight(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let name = model.method().name();
     let squirmer = Squirmer::with_beta(1.0, 5.0)?;
@@ -167,7 +169,7 @@ fn far_flight(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         let straight = run.start.positions()[k] + p * run.end_time;
         (run.end.positions()[k] - straight).norm() + run.deflections_rad()[k].abs()
     });
-    // Slip forces are at most 4 B, over a drag of 6; each of both may be interpolated.
+    // Forces of the slip are at most 4 B and the drag is 6; both may be interpolated.
     let strength: f64 = squirmer.modes().iter().sum();
     let interpolated = model.table().map_or(0.0, |table| table.interpolation_error);
     let tabulated = 2.0 * interpolated * 4.0 * strength / 6.0;
@@ -177,24 +179,24 @@ fn far_flight(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
             levels()?.map(|model| lone_motions(&model, &squirmer, apart, run.start.angles_rad));
         (
             LAST * moved(&one?, &two?, run.end_time),
-            "motion of a lone squirmer: 3/2 of the difference from the next level; the table's error; rounding of 5e5",
+            "error of a lone squirmer's motion, 3/2 of the difference from the next level; error of the table; rounding of 5e5",
         )
     } else {
         (
             0.0,
-            "the table's error; stresslet 1e-12 t and rounding of 5e5",
+            "error of the table; flow of the other's stresslet, 1e-12 t; rounding of 5e5",
         )
     };
     rows.add(
         name,
-        "flight 1e6 apart: off a straight line after t = 200",
+        "squirmers 1e6 apart: distance and turn from straight swimming after t = 200",
         (discretised + run.end_time * tabulated + 1e-9, why),
         larger(off[0], off[1]),
     );
     Ok(())
 }
 
-/// Velocities along and across the line of centres and spins, `omega x d`, of two squirmers at these angles.
+/// For each of two squirmers at these angles: velocity along and across the line of centres, and spin in the plane.
 fn lone_motions(
     model: &Bem,
     squirmer: &Squirmer,
@@ -222,8 +224,8 @@ fn lone_motions(
     }))
 }
 
-/// How far, in place and angle, two such motions take either squirmer apart in a time: a spin turns the
-/// direction of swimming, at speed 1, too.
+/// Largest difference, in place and angle, that two such motions make after a time. A spin also turns the direction of
+/// swimming, at speed 1.
 fn moved(one: &[[f64; 3]; 2], other: &[[f64; 3]; 2], time: f64) -> f64 {
     let of = |(a, b): (&[f64; 3], &[f64; 3])| {
         let spin = (a[2] - b[2]).abs();

@@ -1,4 +1,4 @@
-//! Runs to t = 10,000: an orbit, a bottom-heavy pair that comes to rest, and pairs that never do
+//! Runs to t = 10,000: an orbit, a bottom-heavy pair that comes to rest, and pairs that swing for ever
 //! ([`super::oscillation`]).
 
 use std::f64::consts::PI;
@@ -17,7 +17,7 @@ pub(super) const TIME: f64 = 10_000.0;
 pub(super) const TOLERANCE: f64 = 1e-10;
 
 pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
-    // Who orbits: pushers under lubrication theory, pullers under exact loads.
+    // Pairs that orbit: pushers by lubrication theory, pullers by exact loads.
     for (method, beta) in [(Method::Lt, -5.0), (Method::Exact, 5.0)] {
         for model in bench.only(&[method]) {
             rows.attempt(method.name(), "orbit", |rows| orbit(model, beta, rows));
@@ -29,8 +29,8 @@ pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
     oscillation::cases(bench, rows);
 }
 
-/// A stable orbit, integrated in three dimensions, where no run ends early, and in the plane, where the
-/// steady state is known in closed form.
+/// A stable orbit. In three dimensions it is integrated to the end. In the plane the run finds the steady state and
+/// continues it to the end in closed form.
 fn orbit(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareError> {
     let name = model.method().name();
     let squirmer = Squirmer::with_beta(1.0, beta)?;
@@ -56,33 +56,33 @@ fn orbit(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareError> 
     let options = until(TIME, TOLERANCE);
     let planar = model.run_observed(&plan, &options, &mut |_| {})?;
     let spatial = model.run_observed(&plan.in_three_dimensions(), &options, &mut |_| {})?;
-    let why = "steps x tolerance x (1 + |y|), and the fixed point's 1e-11 a time";
+    let why = "steps x tolerance x (1 + |y|), plus the error 1e-11 t of the fixed point";
     let bound = stepping_error(&spatial, TOLERANCE) + 1e-11 * TIME;
     let held = at_rest(&spatial, state.growth());
     let turns = planar.end.line_angle_rad / (2.0 * PI);
     let of = |what: &str| format!("orbit, beta {beta}, {turns:.0} turns: {what}");
     rows.add(
         name,
-        of("angle of the line, integrated, off the closed form"),
+        of("angle of the line of centres: difference from the closed form"),
         (bound, why),
         (spatial.end.line_angle_rad - planar.end.line_angle_rad).abs(),
     );
     rows.add(
         name,
-        of("|ln| of the gap, integrated, over the fixed point's"),
+        of("|ln(gap/gap of the fixed point)|"),
         (held, HELD),
         (spatial.end.gap.ln() - state.gap.ln()).abs(),
     );
     let closed = spatial.end.midpoint - planar.end.midpoint;
     rows.add(
         name,
-        of("midpoint off the closed form"),
+        of("midpoint: distance from the closed form"),
         (bound * (1.0 + state.speed / state.turning_rate_rad), why),
         closed.norm(),
     );
     rows.add(
         name,
-        of("| |p| - 1 | of the integrated orientations and line of centres"),
+        of("largest ||p| - 1| of the orientations and of the direction between the centres"),
         (unit_drift(&spatial), UNIT_DRIFT),
         spatial.unit_drift,
     );
@@ -96,50 +96,50 @@ fn orbit(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareError> 
             .sum::<f64>();
     rows.add(
         name,
-        of("motion out of the plane"),
-        (0.0, "every term of it is a product with zero"),
+        of("displacement out of the plane"),
+        (0.0, "every term is a product with zero"),
         lifted,
     );
     let apart = spatial.end.orientations[0].dot(&spatial.end.orientations[1])
         - planar.end.orientations[0].dot(&planar.end.orientations[1]);
     rows.add(
         name,
-        of("cosine between the two off the closed form"),
-        (2.0 * held, "two angles, as the gap"),
+        of("cosine between the orientations: difference from the closed form"),
+        (2.0 * held, "two angles, each with the bound of ln(gap)"),
         apart.abs(),
     );
     Ok(())
 }
 
-pub(super) const UNIT_DRIFT: &str = "steps x sqrt(13) tolerance x (1 + |p|), all of it along p";
+pub(super) const UNIT_DRIFT: &str =
+    "steps x sqrt(13) tolerance x (1 + |p|), if every error is along p";
 
-/// How far the vectors of a run in three dimensions may grow or shrink.
+/// How much the unit vectors of a run in three dimensions may grow or shrink.
 pub(super) fn unit_drift(run: &scene::Run) -> f64 {
     run.counters.steps as f64 * 13.0_f64.sqrt() * TOLERANCE * 2.0
 }
 
-const HELD: &str = "sqrt(13) tolerance x (1 + |y|) a step: 2.0103 of it left by the last, and over the slowest decay";
+const HELD: &str = "an error of sqrt(13) tolerance x (1 + |y|) in each step: 2.0103 times that of the last step, plus that of each step within 1/(slowest decay rate)";
 
-/// How far steps keep a spatial state from the fixed point that it is drawn to at the rate `growth < 0`. The
-/// error norm, a mean over the 13 variables, allows one of them `sqrt(13) tolerance (1 + |y|)` in each step.
-/// What is left of earlier steps' errors adds up over the time of the slowest decay; where the fastest rate
-/// holds the steps at the limit of stability, [`LEFT`] of that is left by the last.
+/// Largest distance of a state in three dimensions from the fixed point that attracts it at the rate `growth < 0`. The
+/// error norm is a mean over the 13 variables, so that one of them may be wrong by `sqrt(13) tolerance (1 + |y|)` in
+/// each step. Errors of earlier steps decay at the rate `growth` and add up over that time. The last step leaves
+/// [`LEFT`] times its own error at most, also where stability limits the length of the steps.
 fn at_rest(run: &scene::Run, growth: f64) -> f64 {
     let step = TIME / run.counters.steps as f64;
     13.0_f64.sqrt() * TOLERANCE * SIZE * (LEFT + 1.0 / (step * growth.abs()))
 }
 
-/// How large a deviation from rest an accepted step may leave, over its error estimate: `|R(z)|` over the estimate
-/// of DOP853, `E_5²/sqrt(E_5² + 0.01 E_3²)`, for `y' = λ y`, `z = λ h`. The largest value over all `Re z <= 0`
-/// with `|R(z)| >= 1` is that of the leading coefficients, at infinity; where `|R(z)| < 1` deviations shrink.
-/// So it holds for steps of any length.
+/// Largest deviation from rest that an accepted step may leave, divided by its error estimate. For `y' = λ y` and
+/// `z = λ h` the ratio is `|R(z)|` divided by the estimate of DOP853, `E_5²/sqrt(E_5² + 0.01 E_3²)`. Where
+/// `|R(z)| < 1` deviations shrink. Over all other `z` with `Re z <= 0` the ratio is largest at infinity, where the
+/// leading coefficients give this value. So it is a bound for steps of any length.
 const LEFT: f64 = 2.010_3;
 
-/// Ends of runs that are compared.
+/// Number of runs, to different ends, that are compared.
 const ENDS: u32 = 8;
 
-/// The pair of Fig. 8(c), whose oscillation dies out within some hundred time units: what is left is a rest
-/// that must last.
+/// The pair of Fig. 8(c). Its oscillation dies out within some hundred time units; after that it must stay at rest.
 fn rest(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let name = model.method().name();
     let panels = Defaults::paper()?.bottom_heavy;
@@ -178,11 +178,11 @@ fn rest(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let of = |what: &str| format!("bottom-heavy pair after {minima} swings by t = 50: {what}");
     rows.add(
         name,
-        of("departure from mirror symmetry up to t = 10,000"),
-        (4.0 * f64::EPSILON, "the last bit of pi"),
+        of("deviation from mirror symmetry up to t = 10,000"),
+        (4.0 * f64::EPSILON, "rounding of pi"),
         crooked,
     );
-    // States at the ends of steps: between them the dense output of steps this long means nothing.
+    // Only states at the ends of steps count: the dense output of steps this long is not accurate.
     let (mut least, mut most) = (run.end.gap.ln(), run.end.gap.ln());
     for k in 0..ENDS {
         let end = TIME * (1.0 - 0.5 * f64::from(k + 1) / f64::from(ENDS));
@@ -191,19 +191,19 @@ fn rest(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     }
     let size = 1.0 - least;
     let oval = oval(&swings, [run.end.gap.ln(), run.end.angles_rad[0]], size);
-    let why = "twice sqrt(6) tolerance x (1 + |ln eps|) x 2.0103, the most that is left by a step that is accepted, x the ratio of its swings' axes squared";
+    let why = "2 x sqrt(6) tolerance x (1 + |ln eps|) x 2.0103, which an accepted step may leave, x the squared ratio of the axes of its swings";
     rows.add(
         name,
-        of("tremor of ln(gap) from t = 5,000 on"),
+        of("range of ln(gap) from t = 5,000 on"),
         (2.0 * 6.0_f64.sqrt() * TOLERANCE * size * LEFT * oval, why),
         most - least,
     );
     Ok(())
 }
 
-/// Squared ratio of the axes of the oval on which the state swings to rest, in variables scaled as the tolerance
-/// scales them (`ln eps` by its `size`, and the angles of both squirmers): by as much an error may look larger or
-/// smaller than it is as a share of the swing, once in the estimate and once in `ln eps`.
+/// The state swings to rest on an oval; this is the squared ratio of its axes. The variables are scaled as in the
+/// tolerance: `ln eps` by its `size`, and the angles of both squirmers by theirs. Compared with the swing, an error may
+/// look larger or smaller by the ratio of the axes, once in the error estimate and once in `ln eps`: hence the square.
 fn oval(swings: &[[f64; 2]], rest: [f64; 2], size: f64) -> f64 {
     let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
     for [ln_gap, angle] in swings {

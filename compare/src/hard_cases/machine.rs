@@ -1,31 +1,160 @@
-//! The ends of the number range, torn and shared files, processes, and threads.
+//! What the machine can do to the numbers: inputs at the ends of the number range, and threads.
 
 use bem::Bem;
-use scene::{LoadSet, TableOptions, Tabulated};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use scene::{
+    Gap, Gravity, Hydrodynamics, LoadSet, Orientation, Pose, Repulsion, RunOptions, Scene,
+    SceneError, Squirmer, TableOptions, Tabulated,
+};
 
-use super::files::{bits, damaged_tables, shared_folders};
-use super::inputs::{extremes, refused};
-use super::processes::processes;
 use super::{Bench, Rows, until};
-use crate::{Approach, Case, CompareError, Method};
+use crate::{Approach, Case, CompareError, Model};
 
-/// For rows that no method has to do with.
-pub(super) const ALL: &str = "all";
+/// In the column `method`: the row is about all of them.
+const ALL: &str = "all";
 
 pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
-    rows.attempt(ALL, "inputs", refused);
     for model in bench.models() {
         rows.attempt(model.method().name(), "extremes", |rows| {
             extremes(model, rows)
         });
     }
-    rows.attempt(Method::Bem.name(), "damaged tables", damaged_tables);
-    rows.attempt(Method::Bem.name(), "shared folders", shared_folders);
-    rows.attempt(ALL, "processes", processes);
     rows.attempt(ALL, "threads", |rows| threads(bench, rows));
 }
 
-/// The same bits by one thread and two, and twice in a row.
+/// A pair without any symmetry, whose centres are about `2 half` apart.
+fn pair(
+    squirmer: Squirmer,
+    repulsion: Option<Repulsion>,
+    gravity: Option<Gravity>,
+    half: f64,
+) -> Result<Scene, SceneError> {
+    let pose = |x: f64, y: f64, angle: f64| Pose {
+        position: [x, y, 0.0].into(),
+        orientation: Orientation::Angle(angle),
+    };
+    Scene::new(
+        [squirmer; 2],
+        [pose(-half, 0.0, 0.4), pose(half, 0.1, 2.0)],
+        repulsion,
+        gravity,
+    )
+}
+
+/// Finite inputs at the ends of the number range: each is refused by a typed error, or the results are finite.
+fn extremes(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
+    let mut wrong = Vec::new();
+    for eps in [
+        f64::from_bits(1),
+        1e-310,
+        f64::MIN_POSITIVE,
+        1e-200,
+        1e200,
+        f64::MAX,
+    ] {
+        if let Ok(loads) = model.loads(Gap::new(eps)?, LoadSet::all(2))
+            && !loads.columns().all(f64::is_finite)
+        {
+            wrong.push(format!("loads at gap {eps:e}"));
+        }
+    }
+    let options = RunOptions {
+        max_steps: 20_000,
+        ..until(10.0, 1e-8)
+    };
+    let plain = Squirmer::with_beta(1.0, 1.0)?;
+    let paper = Some(Repulsion::PAPER);
+    let tiny = f64::from_bits(1);
+    let scenes = [
+        (
+            "speed 1e150",
+            pair(Squirmer::with_beta(1e150, 1.0)?, paper, None, 1.1),
+        ),
+        (
+            "speed 1e300",
+            pair(Squirmer::with_beta(1e300, 1.0)?, paper, None, 1.1),
+        ),
+        (
+            "speed 5e-324",
+            pair(Squirmer::with_beta(tiny, 1.0)?, paper, None, 1.1),
+        ),
+        (
+            "beta 1e300",
+            pair(Squirmer::with_beta(1.0, 1e300)?, paper, None, 1.1),
+        ),
+        (
+            "kappa1 1e300",
+            pair(plain, Some(Repulsion::new(1e300, 100.0)?), None, 1.1),
+        ),
+        (
+            "kappa2 1e300",
+            pair(plain, Some(Repulsion::new(10.0, 1e300)?), None, 1.1),
+        ),
+        (
+            "kappa2 1e-300",
+            pair(plain, Some(Repulsion::new(10.0, 1e-300)?), None, 1.1),
+        ),
+        (
+            "kappa1 5e-324",
+            pair(plain, Some(Repulsion::new(tiny, 100.0)?), None, 1.1),
+        ),
+        (
+            "G 1e300",
+            pair(plain.bottom_heavy(1e300)?, paper, Some(Gravity::DOWN), 1.1),
+        ),
+        (
+            "G 5e-324",
+            pair(plain.bottom_heavy(tiny)?, paper, Some(Gravity::DOWN), 1.1),
+        ),
+        ("distance 1e150", pair(plain, paper, None, 5e149)),
+        ("distance 1e300", pair(plain, paper, None, 5e299)),
+        ("distance 3e308", pair(plain, paper, None, 1.5e308)),
+    ];
+    for (what, scene) in scenes {
+        let Ok(scene) = scene else { continue };
+        if let Ok(run) = model.run(&scene, &options) {
+            let positions = run.end.positions();
+            let finite = positions
+                .iter()
+                .flat_map(|p| p.iter())
+                .chain(&run.end.angles)
+                .all(|v| v.is_finite());
+            if !finite || run.end_time.is_nan() {
+                wrong.push(what.to_owned());
+            }
+        }
+    }
+    let mut measure =
+        "extreme inputs that are not refused and give numbers that are not finite".to_owned();
+    if !wrong.is_empty() {
+        measure = format!("{measure}: {}", wrong.join(", "));
+    }
+    rows.add(
+        model.method().name(),
+        measure,
+        (0.0, "a typed error or finite numbers"),
+        wrong.len() as f64,
+    );
+    Ok(())
+}
+
+/// A pool of threads apart from the common one.
+fn pool(threads: usize) -> Result<ThreadPool, CompareError> {
+    (ThreadPoolBuilder::new().num_threads(threads).build())
+        .map_err(|error| CompareError::input("threads", threads, error.to_string()))
+}
+
+/// Loads at some gaps, bit by bit.
+fn bits(model: &dyn Hydrodynamics, set: LoadSet) -> Result<Vec<u64>, CompareError> {
+    let mut bits = Vec::new();
+    for k in 0..20 {
+        let gap = Gap::from_ln(0.35_f64.ln() + 0.4 * f64::from(k));
+        bits.extend(model.loads(gap, set)?.columns().map(f64::to_bits));
+    }
+    Ok(bits)
+}
+
+/// The same bits by one thread and by two, and by two threads twice.
 fn threads(bench: &Bench, rows: &mut Rows) -> Result<(), CompareError> {
     let options = TableOptions {
         set: LoadSet::planar(1),
@@ -33,7 +162,7 @@ fn threads(bench: &Bench, rows: &mut Rows) -> Result<(), CompareError> {
         smallest_gap: 0.3,
     };
     let build = |threads: usize| -> Result<Vec<u64>, CompareError> {
-        super::pool(threads)?.install(|| {
+        pool(threads)?.install(|| {
             let set = options.set;
             let mut all = bits(&Tabulated::build(Bem::new(1)?, options, &|_| {})?, set)?;
             all.extend(bits(&exact::Exact::new(), set)?);
@@ -57,19 +186,17 @@ fn threads(bench: &Bench, rows: &mut Rows) -> Result<(), CompareError> {
     };
     let (one, two, again) = (build(1)?, build(2)?, build(2)?);
     let differ = |other: &[u64]| one.iter().zip(other).filter(|(a, b)| a != b).count() as f64;
-    let why = (0.0, "every sum has one order");
+    let why = (0.0, "every sum is formed in one fixed order");
+    let count = one.len();
     rows.add(
         ALL,
-        format!(
-            "of {} numbers: those whose bits differ between 1 and 2 threads",
-            one.len()
-        ),
+        format!("of {count} numbers: those whose bits differ between 1 and 2 threads"),
         why,
         differ(&two),
     );
     rows.add(
         ALL,
-        "those that differ from one run to the next",
+        format!("of {count} numbers: those whose bits differ when 2 threads run again"),
         why,
         differ(&again),
     );

@@ -1,36 +1,34 @@
-//! Cases in which numbers go wrong first: spheres in contact, stiff forces, unstable states, long runs,
-//! broken symmetry, broken files. Each row measures something that a bound, derived beforehand, limits.
+//! Cases in which numbers go wrong first: spheres in contact, stiff forces, unstable states, long runs, broken
+//! symmetry. Each row compares a measured value with a bound, the largest value allowed. The bound follows from
+//! rounding, from the tolerance or from a closed form; it was derived before anything was measured.
 
 mod boundary_elements;
 mod contact;
 mod far;
-mod files;
-mod inputs;
 mod long_runs;
 mod machine;
 mod oscillation;
 mod out_of_plane;
 mod panels;
-mod processes;
 mod rows;
 mod separatrix;
 mod standoff;
 mod stiff;
 mod suction;
 
-use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::sync::{Mutex, PoisonError};
 
-use rayon::{ThreadPool, ThreadPoolBuilder};
 use scene::RunOptions;
 
 use crate::watch::{Pieces, Progress};
 use crate::{CompareError, Method, Model, ModelOptions};
 pub use rows::{HardCaseRow, Rows};
 
-/// Refinement level of the boundary elements in these cases: what is tested is not their accuracy.
+/// Refinement level of the boundary elements' mesh. A coarse one is enough: these cases do not test the accuracy of
+/// the mesh.
 pub const MESH: usize = 1;
 
-/// The methods, set up once for all cases.
+/// The models that the cases are about.
 pub struct Bench {
     models: Vec<Model>,
 }
@@ -64,6 +62,7 @@ impl Bench {
 }
 
 /// Cases of one kind.
+#[derive(Debug)]
 pub struct Group {
     /// Name, the column `case`.
     pub name: &'static str,
@@ -73,7 +72,7 @@ pub struct Group {
 }
 
 impl Group {
-    /// Runs the cases; a case that fails is a row that does not hold.
+    /// Runs the cases. A case that fails is a row that breaks its bound.
     #[must_use]
     pub fn rows(&self, bench: &Bench) -> Vec<HardCaseRow> {
         let mut rows = Rows::new(self.name, self.hazard);
@@ -83,25 +82,25 @@ impl Group {
 }
 
 /// All groups.
-pub const GROUPS: [Group; 10] = [
+pub static GROUPS: [Group; 10] = [
     Group {
         name: "contact",
-        hazard: "loads diverge: overflow, lost digits, a mobility that is not positive",
+        hazard: "loads diverge: numbers overflow, digits cancel, a mobility is not positive",
         run: contact::cases,
     },
     Group {
         name: "no repulsion",
-        hazard: "the gap closes as exp(-exp(t)): the stepper stalls, or spheres overlap",
+        hazard: "the gap closes as exp(-exp(t)): steps get ever shorter, or spheres overlap",
         run: suction::cases,
     },
     Group {
         name: "stiff forces",
-        hazard: "rates of 1e5 beside rates of 1: steps without end, or an equilibrium that is missed",
+        hazard: "rates of 1e5 beside rates of 1: far too many steps, or a wrong equilibrium",
         run: stiff::cases,
     },
     Group {
         name: "standoff",
-        hazard: "rounding tips an unstable equilibrium",
+        hazard: "rounding drives a pair out of an unstable equilibrium",
         run: standoff::cases,
     },
     Group {
@@ -116,7 +115,7 @@ pub const GROUPS: [Group; 10] = [
     },
     Group {
         name: "out of plane",
-        hazard: "the spatial code departs from the planar one, or noise leaves the plane",
+        hazard: "motion in three dimensions differs from motion in the plane, or rounding leaves the plane",
         run: out_of_plane::cases,
     },
     Group {
@@ -126,51 +125,63 @@ pub const GROUPS: [Group; 10] = [
     },
     Group {
         name: "boundary elements",
-        hazard: "an answer that is wrong without saying so",
+        hazard: "an answer is wrong and does not say so",
         run: boundary_elements::cases,
     },
     Group {
         name: "machine",
-        hazard: "numbers at the ends of their range, torn files, threads",
+        hazard: "inputs at the ends of the number range, sums whose order depends on the threads",
         run: machine::cases,
     },
 ];
 
-/// All rows of all groups, as many side by side as there are threads.
+/// Runs groups, as many at once as the pool has threads. `each` gets a group and its rows as soon as they are there,
+/// in the order of `groups`: rows that are ready early wait for the groups before them.
 ///
-/// Groups run on threads outside the pool, which may wait for one another and for processes: a thread of the pool
-/// that waits for work which only the pool can do waits for ever.
-#[must_use]
-pub fn all_rows(bench: &Bench) -> Vec<HardCaseRow> {
-    let next = AtomicUsize::new(0);
-    let progress = Progress::begin("groups of hard cases", GROUPS.len(), Pieces::Unlike);
-    let work = || {
-        let mut done = Vec::new();
-        while let Some(group) = GROUPS.get(next.fetch_add(1, Relaxed)) {
-            done.push((group.name, group.rows(bench)));
-            progress.advance();
-        }
-        done
-    };
-    let mut rows: Vec<_> = std::thread::scope(|scope| {
-        let threads: Vec<_> = (0..rayon::current_num_threads())
-            .map(|_| scope.spawn(work))
-            .collect();
-        (threads.into_iter())
-            .flat_map(|thread| match thread.join() {
-                Ok(done) => done,
-                Err(panic) => std::panic::resume_unwind(panic),
-            })
-            .collect()
+/// Call it from anywhere, also from a thread of the pool: nothing in it waits for another task. `each` must not wait
+/// for one either.
+pub fn run(
+    bench: &Bench,
+    groups: &[&Group],
+    each: &mut (dyn FnMut(&Group, Vec<HardCaseRow>) + Send),
+) {
+    let progress = Progress::begin("groups of hard cases", groups.len(), Pieces::Unlike);
+    let ready = Mutex::new(Ready {
+        early: groups.iter().map(|_| None).collect(),
+        next: 0,
+        each,
     });
-    rows.sort_by_key(|(name, _)| GROUPS.iter().position(|group| group.name == *name));
-    rows.into_iter().flat_map(|(_, rows)| rows).collect()
+    let (progress, ready) = (&progress, &ready);
+    rayon::scope_fifo(|scope| {
+        for (place, group) in groups.iter().enumerate() {
+            scope.spawn_fifo(move |_| {
+                let rows = group.rows(bench);
+                progress.advance();
+                let mut ready = ready.lock().unwrap_or_else(PoisonError::into_inner);
+                ready.add(groups, place, rows);
+            });
+        }
+    });
 }
 
-/// A pool of threads apart from the common one.
-fn pool(threads: usize) -> Result<ThreadPool, CompareError> {
-    (ThreadPoolBuilder::new().num_threads(threads).build())
-        .map_err(|error| CompareError::input("threads", threads, error.to_string()))
+/// Rows on their way to whoever wants them.
+struct Ready<'a> {
+    /// Rows of groups that are not handed over yet, if they are there.
+    early: Vec<Option<Vec<HardCaseRow>>>,
+    /// The group to hand over next.
+    next: usize,
+    each: &'a mut (dyn FnMut(&Group, Vec<HardCaseRow>) + Send),
+}
+
+impl Ready<'_> {
+    /// Adds the rows of the group at `place`, and hands over all that are next.
+    fn add(&mut self, groups: &[&Group], place: usize, rows: Vec<HardCaseRow>) {
+        self.early[place] = Some(rows);
+        while let Some(rows) = self.early.get_mut(self.next).and_then(Option::take) {
+            (self.each)(groups[self.next], rows);
+            self.next += 1;
+        }
+    }
 }
 
 /// Options for a run to `end_time` at a tolerance.
@@ -182,10 +193,84 @@ fn until(end_time: f64, tolerance: f64) -> RunOptions {
     }
 }
 
-/// `1 + |y|` for the largest variable of a collision: `ln eps` goes down to -8.
+/// `1 + |y|` for the largest variable `y` of a collision: `ln eps` goes down to about -8.
 const SIZE: f64 = 10.0;
 
-/// What the steps of a run may add up to: each is allowed `tolerance (1 + |y|)`.
+/// Largest sum of the errors of a run's steps: each step may be wrong by `tolerance (1 + |y|)`.
 fn stepping_error(run: &scene::Run, tolerance: f64) -> f64 {
     run.counters.steps as f64 * tolerance * SIZE
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::mpsc;
+    use std::time::Duration;
+
+    use rayon::prelude::*;
+
+    use super::*;
+
+    /// Far longer than the groups below take.
+    const PATIENCE: Duration = Duration::from_secs(60);
+
+    /// A group of one row, which is there after about so many milliseconds.
+    fn row_after<const MILLISECONDS: u64>(_: &Bench, rows: &mut Rows) {
+        std::thread::sleep(Duration::from_millis(MILLISECONDS));
+        let sum = (0..1000).into_par_iter().sum::<u64>();
+        rows.add("none", "sum", (1e6, "arithmetic"), sum as f64);
+    }
+
+    /// Names and numbers of rows, as they are handed over by a pool of some threads.
+    fn handed_over(threads: usize) -> Vec<(&'static str, usize)> {
+        let (send, receive) = mpsc::channel();
+        std::thread::spawn(move || {
+            let group = |name, run| Group {
+                name,
+                hazard: "",
+                run,
+            };
+            let groups = [
+                group("slow", row_after::<200>),
+                group("quick", row_after::<0>),
+                group("last", row_after::<0>),
+            ];
+            let bench = Bench { models: Vec::new() };
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+            pool.build().unwrap().install(|| {
+                run(&bench, &groups.each_ref(), &mut |group, rows| {
+                    send.send((group.name, rows.len())).unwrap();
+                });
+            });
+        });
+        let mut all = Vec::new();
+        loop {
+            match receive.recv_timeout(PATIENCE) {
+                Ok(one) => all.push(one),
+                Err(mpsc::RecvTimeoutError::Disconnected) => return all,
+                Err(mpsc::RecvTimeoutError::Timeout) => panic!("it waits for ever"),
+            }
+        }
+    }
+
+    #[test]
+    fn groups_come_in_their_order_though_a_later_one_is_done_first() {
+        assert_eq!(handed_over(3), [("slow", 1), ("quick", 1), ("last", 1)]);
+    }
+
+    #[test]
+    fn groups_end_on_the_only_thread_of_a_pool() {
+        assert_eq!(handed_over(1), [("slow", 1), ("quick", 1), ("last", 1)]);
+    }
+
+    #[test]
+    fn a_case_that_fails_is_a_row_that_breaks_its_bound() {
+        let mut rows = Rows::new("case", "hazard");
+        rows.attempt("none", "a case", |_| {
+            Err(CompareError::input("number", "x", "give another"))
+        });
+        rows.add("none", "no number", (1.0, "arithmetic"), f64::NAN);
+        let rows = rows.finish();
+        assert!(rows.iter().all(|row| !row.holds), "{rows:?}");
+        assert!(rows[0].measure.contains("'x' is not allowed"), "{rows:?}");
+    }
 }

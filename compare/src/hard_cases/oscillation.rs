@@ -1,9 +1,10 @@
 //! Bottom-heavy pairs that swing for ever: how steady their period is up to t = 10,000.
 //!
-//! Near a limit cycle errors across it die out and those along it add up. A step may change the variables by
-//! `e_i` with `Σ (e_i/(1 + |y_i|))² <= N tolerance²`, which shifts all later passages by at most
-//! `sqrt(N) tolerance A`, `A² = Σ ((1 + |y_i|) dt/dy_i)²`. A is found by displacing states of the cycle, and is
-//! the only thing about the pair that bounds ask for.
+//! Near a limit cycle, errors across the cycle decay, and errors along it add up as shifts of time. A passage is the
+//! moment at which a phase, such as `ln eps`, rises through the middle of its range. One step may change the variables
+//! `y_i` by `e_i`, with `Σ (e_i/(1 + |y_i|))² <= N tolerance²`. That shifts the times of all later passages by at most
+//! `sqrt(N) tolerance A`, with `A² = Σ ((1 + |y_i|) dt/dy_i)²`. `A` is measured by displacing states of the cycle. It is
+//! the only property of the pair that the bounds need.
 
 use std::f64::consts::{PI, TAU};
 
@@ -19,24 +20,26 @@ use super::{Bench, Rows, until};
 use crate::maps::Pair;
 use crate::{CompareError, Method, Model};
 
-/// Time after which a pair is on its limit cycle, and how long it is then watched to know the cycle.
+/// Time after which a pair is on its limit cycle, and for how long the cycle is then recorded.
 const SETTLED: f64 = 2_000.0;
 const WATCHED: f64 = 500.0;
 
-/// The tolerance that the other is held against.
+/// The tolerance of the run that the other one is compared with.
 const TIGHT: f64 = 1e-12;
 
-/// Time between samples: a cubic through four of them has a passage to about the fourth power.
+/// Time between samples. A cubic through four of them gives the time of a passage with an error of about the fourth
+/// power of it.
 const INTERVAL: f64 = 0.02;
 
-/// States of the cycle that are displaced, by how much, and for how long they are followed: for so many periods
-/// and so long a time. (If an answer goes on growing after that, the bounds are only tighter.)
+/// How many states of the cycle are displaced, by how much, and how long the shift of the passages is then followed: for
+/// so many periods, and for at least so long a time. (If a shift grew further after that, the bounds would only be
+/// tighter than they need to be.)
 const STATES: usize = 8;
 const DISPLACED: f64 = 1e-5;
 const PERIODS: f64 = 4.0;
 const FOLLOWED: f64 = 200.0;
 
-/// Fewer passages tell no period.
+/// Fewer passages do not give a period.
 const LEAST_PASSAGES: usize = 10;
 
 /// Variables of motion in a plane.
@@ -48,7 +51,7 @@ struct Swing {
     methods: &'static [Method],
     pair: Pair,
     start: (f64, f64),
-    /// What rises through the middle of its range once a period.
+    /// The phase: it rises through the middle of its range once a period.
     phase: fn(&Configuration) -> f64,
     /// Whether the two are mirror images.
     mirrored: bool,
@@ -95,15 +98,15 @@ pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
     }
 }
 
-/// Times at which the phase rises through a level, and what else a run tells.
+/// Times at which the phase rises through the middle of its range, and the run itself.
 struct Passages {
     times: Vec<f64>,
-    /// Largest departure from mirror symmetry.
+    /// Largest deviation from mirror symmetry.
     crooked: f64,
     run: Run,
 }
 
-/// A limit cycle: the level that the phase passes, the period, and states in their order from a passage on.
+/// A limit cycle: the middle of the phase's range, the period, and the states of one period, beginning at a passage.
 struct Cycle {
     level: f64,
     period: f64,
@@ -126,7 +129,7 @@ impl Swing {
             return Err(CompareError::input(
                 "passages",
                 count,
-                "too few to tell a period",
+                "too few to give a period",
             ));
         }
         let answer = self.answer(model, &cycle, found.run.end.line_angle_rad)?;
@@ -135,44 +138,45 @@ impl Swing {
         let shift = |run: &Run, tolerance: f64| {
             (run.counters.steps + 1) as f64 * VARIABLES.sqrt() * tolerance * answer
         };
-        let why = "sqrt(6) tolerance a step of both runs, times the largest answer of the phase";
+        let why =
+            "sqrt(6) tolerance in each step of both runs, times the largest shift per displacement";
         rows.add(
             name,
             of(&format!(
-                "time of passage {count} by t = 10,000, tolerance 1e-10 off 1e-12"
+                "time of passage {count}, before t = 10,000: tolerance 1e-10 compared with 1e-12"
             )),
             (shift(&found.run, TOLERANCE) + shift(&truth.run, TIGHT), why),
             (found.times[count - 1] - truth.times[count - 1]).abs(),
         );
         let half = (count - 1) / 2;
         let mean = |from: usize| (found.times[from + half] - found.times[from]) / half as f64;
-        let why = "sqrt(6) tolerance a step, times the largest answer of the phase, over the periods of a half";
+        let why = "sqrt(6) tolerance in each step, times the largest shift per displacement, divided by the periods of a half";
         rows.add(
             name,
-            of("its drift, second half of t = 10,000 against first"),
+            of("difference of the mean periods of the first and the second half of t = 10,000"),
             (shift(&found.run, TOLERANCE) / half as f64, why),
             (mean(half) - mean(0)).abs(),
         );
         let spatial = self.in_space(model, &scene)?;
         rows.add(
             name,
-            of("| |p| - 1 | in three dimensions"),
+            of("largest ||p| - 1| in three dimensions"),
             (unit_drift(&spatial), UNIT_DRIFT),
             spatial.unit_drift,
         );
         if self.mirrored {
-            let why = (0.0, "the balance uses sums and differences only");
+            let why = (0.0, "the force balance uses sums and differences only");
             rows.add(
                 name,
-                of("departure from mirror symmetry up to t = 10,000"),
-                (4.0 * f64::EPSILON, "the last bit of pi"),
+                of("deviation from mirror symmetry up to t = 10,000"),
+                (4.0 * f64::EPSILON, "rounding of pi"),
                 found.crooked,
             );
             let [p, q] = spatial.end.orientations;
             let off = (p.x + q.x).abs() + (p.y - q.y).abs() + p.z.abs() + q.z.abs();
             rows.add(
                 name,
-                of("the same in three dimensions"),
+                of("deviation from mirror symmetry at t = 10,000 in three dimensions"),
                 why,
                 off + spatial.end.midpoint.x.abs() + spatial.end.line.y.abs(),
             );
@@ -180,7 +184,7 @@ impl Swing {
         Ok(())
     }
 
-    /// The limit cycle that the pair has come to; none if it has not.
+    /// The limit cycle that the pair has reached; none if there is none.
     fn cycle(&self, model: &Model) -> Result<Option<Cycle>, CompareError> {
         let scene = self.pair.scene(self.start.0, self.start.1)?;
         let options = RunOptions {
@@ -214,8 +218,8 @@ impl Swing {
         }))
     }
 
-    /// The scene that starts at a configuration, with `ln eps`, the angle of the line and the two angles off it
-    /// displaced.
+    /// The scene that starts at a configuration, displaced in four variables: `ln eps`, the angle of the line of centres,
+    /// and the angles of both squirmers to that line.
     fn scene(
         &self,
         c: &Configuration,
@@ -283,16 +287,11 @@ impl Swing {
         })
     }
 
-    /// `A`: how much later or earlier all passages come for a change of the state, over its size as the
-    /// tolerance measures it; the largest over the cycle.
-    fn answer(
-        &self,
-        model: &Model,
-        cycle: &Cycle,
-        line_angle_rad: f64,
-    ) -> Result<f64, CompareError> {
+    /// `A`: the largest shift of the passages, divided by the displacement of the state that causes it. The displacement
+    /// is measured as the tolerance measures it. The largest value of all states of the cycle.
+    fn answer(&self, model: &Model, cycle: &Cycle, line_angle_rad: f64) -> Result<f64, CompareError> {
         let time = (PERIODS * cycle.period).max(FOLLOWED);
-        // Of mirror images the line does not turn, and what the second does the first does too.
+        // The line between mirror images does not turn, and a displacement of the second one displaces the first too.
         let variables: &[usize] = if self.mirrored {
             &[0, 3]
         } else {
@@ -321,7 +320,8 @@ impl Swing {
         all.try_reduce(|| 0.0, |a, b| Ok(larger(a, b)))
     }
 
-    /// The run to the end in three dimensions, from vectors that are mirror images if the pair is.
+    /// The run to the end in three dimensions. If the squirmers are mirror images, so are the vectors at the start, to the
+    /// last bit.
     fn in_space(&self, model: &Model, scene: &Scene) -> Result<Run, CompareError> {
         let mut start = scene.start;
         let [one, two] = [0, 1].map(|k| start[k].orientation.vector());
@@ -340,7 +340,7 @@ impl Swing {
     }
 }
 
-/// Where in (0, 1) the cubic with these values at -1, 0, 1 and 2 is zero, as it rises through zero there.
+/// The zero in (0, 1) of the cubic with these values at -1, 0, 1 and 2. The second value is negative, the third is not.
 fn zero([a, b, c, d]: [f64; 4]) -> f64 {
     let value = |s: f64| {
         let (l, m, r) = (s + 1.0, s - 1.0, s - 2.0);

@@ -1,4 +1,5 @@
-//! Nearly planar: what is out of the plane by 1e-15 to 1e-3, poles, and orientations along the line of centres.
+//! Nearly planar motion: displacements of 1e-15 to 0.1 out of the plane, planes turned in space, and orientations along the
+//! line of centres.
 
 use nalgebra::{Rotation3, Vector3};
 use scene::{Orientation, Plan, Pose, Repulsion, Run, Scene, Squirmer};
@@ -10,10 +11,10 @@ use crate::{Approach, Case, CompareError, Method, Model};
 const TOLERANCE: f64 = 1e-12;
 const METHODS: [Method; 3] = [Method::Lt, Method::Exact, Method::Bem];
 
-/// Departure from linear growth below which its own growth is taken.
+/// Relative deviation from linear growth that is small enough to be of second order.
 const NEARLY_LINEAR: f64 = 0.02;
 
-/// The encounters, without a symmetry and with one.
+/// The encounters: one without a symmetry, one with.
 const CASES: [Case; 2] = [
     Case {
         approach: Approach::Orthogonal,
@@ -46,7 +47,7 @@ fn spatial(model: &Model, scene: &Scene) -> Result<Run, CompareError> {
     Ok(model.run_observed(&plan, &until(200.0, TOLERANCE), &mut |_| {})?)
 }
 
-/// The scene with positions and orientations mapped.
+/// The scene with `map` applied to all positions and orientations.
 fn mapped(
     scene: &Scene,
     map: impl Fn(Vector3<f64>) -> Vector3<f64>,
@@ -59,7 +60,7 @@ fn mapped(
     Ok(Scene::new(scene.squirmers, start, scene.repulsion, None)?)
 }
 
-/// Largest distance of the outgoing orientations from those of another run, turned.
+/// Largest distance of the final orientations from those of another run, turned by `turned`.
 fn apart(run: &Run, other: &Run, turned: &Rotation3<f64>) -> f64 {
     let pairs = run.end.orientations.iter().zip(&other.end.orientations);
     pairs
@@ -73,7 +74,7 @@ fn nearly_planar(model: &Model, case: Case, rows: &mut Rows) -> Result<(), Compa
     let scene = case.scene()?;
     let plan = Plan::new(&scene)?.without_symmetry();
     let planar = model.run_observed(&plan, &until(200.0, TOLERANCE), &mut |_| {})?;
-    // How much the outgoing directions answer to a displacement on the way in.
+    // Sensitivity: change of the final orientations, divided by the displacement of the start.
     let aside = Case {
         dx: case.dx + 1e-5,
         ..case
@@ -84,24 +85,24 @@ fn nearly_planar(model: &Model, case: Case, rows: &mut Rows) -> Result<(), Compa
     let in_space = spatial(model, &scene)?;
     let error =
         (stepping_error(&planar, TOLERANCE) + stepping_error(&in_space, TOLERANCE)) * answer;
-    let why = "steps x tolerance x (1 + |y|) of both runs, times the answer to a displacement on the way in";
+    let why = "steps x tolerance x (1 + |y|) of both runs, times the sensitivity to a displacement of the start";
     rows.add(
         name,
-        format!("{what}: spatial off planar motion"),
+        format!("{what}: orientations, difference of motion in space from motion in the plane"),
         (error, why),
         apart(&in_space, &planar, &Rotation3::identity()),
     );
+    // An upright plane holds the axis on which the azimuth of a vector has no value.
     let upright = Rotation3::from_axis_angle(&Vector3::x_axis(), std::f64::consts::FRAC_PI_2);
     let askew = Rotation3::from_euler_angles(0.7, -1.1, 2.3);
-    for (how, rotation) in [
-        ("through the pole of the azimuth", upright),
-        ("askew", askew),
-    ] {
+    for (how, rotation) in [("upright", upright), ("askew", askew)] {
         let turned = spatial(model, &mapped(&scene, |v| rotation * v)?)?;
         // Rounding of the rotated numbers is far below the tolerance.
         rows.add(
             name,
-            format!("{what}, plane turned {how}: off planar motion"),
+            format!(
+                "{what}, plane turned {how}: orientations, difference from motion in the plane"
+            ),
             (error, why),
             apart(&turned, &planar, &rotation),
         );
@@ -126,26 +127,27 @@ fn nearly_planar(model: &Model, case: Case, rows: &mut Rows) -> Result<(), Compa
         };
         let noise = error * (1.0 + 1.0 / size);
         for by in [1e-15, 1e-12, 1e-6] {
-            let why = "linear in z: relative error that of the plane's motion; below z = 1e-6 curvature is less";
+            let why = "linear in z, with the relative error of the motion in the plane; terms of second order are smaller up to z = 1e-6";
             rows.add(
                 name,
-                format!("{what}: growth of {by:e} {kind} off that of 1e-9, relative"),
+                format!("{what}, {kind} by {by:e}: growth, relative difference from that of 1e-9"),
                 (noise, why),
                 departure(by)?,
             );
         }
-        // The motion is odd in z: what departs from linear growth does so as z^2, the next term as z^4.
+        // The motion is odd in z: the relative deviation from linear growth is of order z^2, the next term of order z^4.
         let (mut by, mut far) = (0.1, departure(0.1)?);
         while far > NEARLY_LINEAR {
             by *= 0.1;
             far = departure(by)?;
         }
         let near = departure(0.1 * by)?;
-        let why = "odd in z: a factor of 100 but for the next term (at most 10 departures) and both errors";
+        let why =
+            "odd in z: a factor of 100, plus the next term (at most 10 deviations) and both errors";
         rows.add(
             name,
             format!(
-                "{what}: departure from linear growth, {by:.0e} over {:.0e} {kind}, off 100, relative",
+                "{what}, {kind}: ratio of the deviations from linear growth at {by:.0e} and {:.0e}, relative difference from 100",
                 0.1 * by
             ),
             (10.0 * far + 2.0 * noise / near, why),
@@ -155,7 +157,7 @@ fn nearly_planar(model: &Model, case: Case, rows: &mut Rows) -> Result<(), Compa
     Ok(())
 }
 
-/// Orientations parallel and antiparallel to the line of centres, exactly and within 1e-16.
+/// Orientations along the line of centres, exactly and with a tilt of 1e-16.
 fn along_the_line(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let name = model.method().name();
     let squirmer = Squirmer::with_beta(1.0, 1.0)?;
@@ -177,11 +179,12 @@ fn along_the_line(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         let (exactly, nearly) = (end(0.0)?, end(1e-16)?);
         let off = (exactly.end.gap.ln() - nearly.end.gap.ln()).abs()
             + (exactly.end.midpoint - nearly.end.midpoint).norm();
-        let why = "steps x tolerance x (1 + |y|) of both runs; the tilt counts to second order";
+        let why =
+            "steps x tolerance x (1 + |y|) of both runs; the effect of the tilt is of second order";
         let bound = stepping_error(&exactly, TOLERANCE) + stepping_error(&nearly, TOLERANCE);
         rows.add(
             name,
-            format!("{what}: gap and place, tilted by 1e-16 off not tilted"),
+            format!("{what}: change of ln(gap) and midpoint by a tilt of 1e-16"),
             (bound, why),
             off,
         );
@@ -193,8 +196,8 @@ fn along_the_line(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
             .sum::<f64>();
         rows.add(
             name,
-            format!("{what}: tilt of what was not tilted"),
-            (0.0, "every term of it is a product with zero"),
+            format!("{what}: tilt at the end without a tilt at the start"),
+            (0.0, "every term is a product with zero"),
             tilt,
         );
     }

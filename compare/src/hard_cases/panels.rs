@@ -1,9 +1,10 @@
-//! Integrals over panels where they are hardest: the longest panels, and those that face the other sphere.
+//! Integrals over the most difficult panels: the longest ones for their width, and those that face the other sphere.
 //!
-//! A density along the normal in proportion to the pressure's profile `φ` is one that hat functions represent
-//! exactly, so that its flow tells of quadrature alone. In Legendre polynomials `φ = Σ φ_l P_l(z)`, and with
-//! `V_l = ∇P_l - (l + 1) P_l n`, `W_l = ∇P_l + l P_l n` on the unit sphere (Corona & Veerapaneni, *J. Comput.
-//! Phys.* 362 (2018) 327) the single layer S of `P_l n = (W_l - V_l)/(2l + 1)` at the distance r is
+//! The density `φ n` is along the normal `n`, and `φ` is the profile of the pressure between the spheres. The mesh
+//! represents this density exactly, so that the error of its flow comes from quadrature alone. The exact flow follows
+//! from Legendre polynomials, `φ = Σ φ_l P_l(z)`. On the unit sphere let `V_l = ∇P_l - (l + 1) P_l n` and
+//! `W_l = ∇P_l + l P_l n` (Corona & Veerapaneni, *J. Comput. Phys.* 362 (2018) 327). Then `P_l n = (W_l - V_l)/(2l + 1)`,
+//! and at the distance `r` from the centre the single layer `S` of both is
 //!
 //! ```text
 //! S V_l = l/((2l + 1)(2l + 3)) r^(-l-2) V_l,
@@ -22,21 +23,22 @@ use super::Rows;
 use super::rows::larger;
 use crate::{CompareError, Method};
 
-/// Nodes looked at: those nearest to contact, and those of the longest panels.
+/// How many nodes nearest to contact are tested, and of how many of the longest panels.
 const NEAREST: usize = 16;
 const LONGEST: usize = 4;
 
 pub(super) fn panels(rows: &mut Rows) -> Result<(), CompareError> {
     let name = Method::Bem.name();
-    let why = "relative error of the integral over each panel that the rules are chosen for";
+    let why =
+        "the quadrature rules are chosen for this relative error of the integral over each panel";
     for level in Bem::LEVELS.0..=Bem::LEVELS.1 {
         let model = Bem::new(level)?;
         let smallest = model.range().smallest;
         let sphere = Sphere::new(&model, smallest)?;
-        for (place, across) in [("on the sphere itself", false), ("across the gap", true)] {
+        for (place, across) in [("on the same sphere", false), ("across the gap", true)] {
             rows.add(
                 name,
-                format!("level {level}, gap {smallest:e}, the {NEAREST} nodes nearest to contact, {place}: error of quadrature, relative"),
+                format!("level {level}, gap {smallest:e}, flow {place}, {NEAREST} nodes nearest to contact: relative error of quadrature"),
                 (TOLERANCE, why),
                 sphere.error(&sphere.nearest_to_contact(), across),
             );
@@ -46,7 +48,7 @@ pub(super) fn panels(rows: &mut Rows) -> Result<(), CompareError> {
         let nodes = sphere.of_longest_panels();
         rows.add(
             name,
-            format!("level {level}, gap {eps:.2e}, nodes of panels of aspect ratio up to {ratio:.1}: error of quadrature, relative"),
+            format!("level {level}, gap {eps:.2e}, nodes of panels with aspect ratios up to {ratio:.1}: relative error of quadrature"),
             (TOLERANCE, why),
             larger(sphere.error(&nodes, false), sphere.error(&nodes, true)),
         );
@@ -54,8 +56,8 @@ pub(super) fn panels(rows: &mut Rows) -> Result<(), CompareError> {
     Ok(())
 }
 
-/// The gap at which the meshes of a model have their longest panel for its width, and the panel's aspect
-/// ratio. Meshes stretch between seams: the ends are the extremes.
+/// The gap at which a mesh of the model has the panel with the largest aspect ratio, and that ratio. Meshes stretch with
+/// the gap between two seams, so that the largest ratio is at one of the ends.
 fn longest(model: &Bem, smallest: f64) -> Result<(f64, f64), CompareError> {
     let ends = (model.description().seams.iter()).flat_map(|s| [*s, s.next_up()]);
     let mut worst = (smallest, 0.0);
@@ -68,8 +70,8 @@ fn longest(model: &Bem, smallest: f64) -> Result<(f64, f64), CompareError> {
     Ok(worst)
 }
 
-/// A meshed sphere beside its mirror image, with the reference geometry that its rules are chosen by, as in
-/// the systems that are solved.
+/// A meshed sphere beside its mirror image, and the reference geometry by which its quadrature rules are chosen, as in
+/// the systems of equations that the model solves.
 struct Sphere {
     eps: f64,
     reference_eps: f64,
@@ -124,8 +126,8 @@ impl Sphere {
             .collect()
     }
 
-    /// Largest error of the flow at some nodes, or at their images on the other sphere, over the integral of
-    /// its size.
+    /// Largest error of the flow at some nodes, or at their mirror images on the other sphere, divided by the integral of
+    /// the integrand's size.
     fn error(&self, nodes: &[usize], across: bool) -> f64 {
         let of = |&v: &usize| {
             let (point, reference) = (self.nodes.points[v], self.reference[v]);
@@ -159,14 +161,14 @@ impl Sphere {
     }
 }
 
-/// Flow at a point on or outside the sphere by the density `φ n`, and `Σ φ_l r^(-l-1) P_l/(2l + 1)`, which is the
-/// integral of the largest size, `2 φ/(8 pi r)`, that the integrand may have.
+/// Flow of the density `φ n` at a point on or outside the sphere, and the integral of the largest size that the integrand
+/// may have, `2 φ/(8 pi r)`: that is `Σ φ_l r^(-l-1) P_l/(2l + 1)`.
 fn flow_by_profile(eps: f64, point: &Vector3<f64>) -> (Vector3<f64>, f64) {
     let r = point.norm();
     let n = point / r;
-    // The unit vector of the polar angle times its sine.
+    // The unit vector of the polar angle, times the sine of that angle.
     let downward = n * n.z - Vector3::z();
-    // P_l and its derivative by z, of two degrees in turn.
+    // P_l and its derivative by z, of the last two degrees.
     let (mut p, mut dp) = ([0.0, 1.0], [0.0, 0.0]);
     let (mut flow, mut size, mut fall) = (Vector3::zeros(), 0.0, 1.0);
     for (l, phi) in profile_coefficients(eps).into_iter().enumerate() {
@@ -187,8 +189,8 @@ fn flow_by_profile(eps: f64, point: &Vector3<f64>) -> (Vector3<f64>, f64) {
     (flow, size)
 }
 
-/// Coefficients `φ_l = -(2l + 1) Q_l'(c)/4` of `1/(4 (c - z)^2)`, `c = 1 + eps/2`, until they are below
-/// rounding: Legendre functions of the second kind by recurrence downwards (Abramowitz & Stegun 8.6, 8.8.3).
+/// Coefficients `φ_l = -(2l + 1) Q_l'(c)/4` of `1/(4 (c - z)^2)`, `c = 1 + eps/2`, until they are below rounding. `Q_l`
+/// are Legendre functions of the second kind, computed by downward recurrence (Abramowitz & Stegun 8.6, 8.8.3).
 fn profile_coefficients(eps: f64) -> Vec<f64> {
     let c = 1.0 + 0.5 * eps;
     let square = eps + 0.25 * eps * eps;

@@ -1,4 +1,4 @@
-//! Rows: a measured value and the bound that it has to keep.
+//! Rows: a measured value and the largest value allowed.
 
 use serde::Serialize;
 
@@ -11,7 +11,7 @@ pub struct HardCaseRow {
     pub case: &'static str,
     /// Name of the method.
     pub method: &'static str,
-    /// What is measured; of a case that failed, why.
+    /// What is measured; if the case failed, why.
     pub measure: String,
     /// Largest value allowed.
     pub bound: f64,
@@ -66,7 +66,7 @@ impl Rows {
         });
     }
 
-    /// Runs a case that may fail, and then is a row that does not hold.
+    /// Runs a case. If it fails, adds a row that does not hold.
     pub(super) fn attempt(
         &mut self,
         method: &'static str,
@@ -80,7 +80,7 @@ impl Rows {
     }
 }
 
-/// The larger of two values; NaN if either is, so that it is not passed over.
+/// The larger of two values; NaN if one of them is NaN, so that it is not lost.
 pub(super) fn larger(one: f64, other: f64) -> f64 {
     if one.is_nan() || one > other {
         one

@@ -1,4 +1,4 @@
-//! Collisions next to a line between two outcomes, and how deflections converge elsewhere.
+//! Collisions next to a line where the outcome changes, and how deflections converge away from such lines.
 
 use scene::{Outcome, Run};
 
@@ -8,13 +8,13 @@ use super::{Bench, Rows, SIZE, until};
 use crate::maps::Pair;
 use crate::{Approach, Case, CompareError, Method, Model};
 
-/// The tolerance that the others are held against.
+/// The tolerance of the runs that the others are compared with.
 const TIGHT: f64 = 1e-12;
 
-/// Time by which outcomes differ.
+/// Time at which runs end: by then the outcomes differ.
 const TIME: f64 = 200.0;
 
-/// Where lines between outcomes are crossed: method, squirmer parameter and `Sigma`.
+/// Where `Delta` is varied until the outcome changes: method, squirmer parameter and `Sigma`.
 const CROSSED: [(Method, f64, f64); 4] = [
     (Method::Lt, 5.0, 0.7),
     (Method::Lt, -5.0, 0.7),
@@ -73,7 +73,7 @@ fn crossed(
         .map(|&delta| scatters(model, beta, (delta, sigma), TIGHT))
         .collect::<Result<Vec<_>, _>>()?;
     let Some(at) = outcomes.windows(2).position(|pair| pair[0] != pair[1]) else {
-        let why = (0.0, "there are some");
+        let why = (0.0, "there is at least one");
         rows.add(
             name,
             format!("{what}: lines between outcomes found"),
@@ -99,15 +99,15 @@ fn crossed(
     for tolerance in [1e-6, 1e-8, 1e-10] {
         let beside = collide(model, beta, (truth - 1e-9, sigma), tolerance)?;
         let steps = (beside.counters.steps + 1) as f64;
-        let why = "steps x tolerance x (1 + |y|): on the line, what is off does not grow in time that has passed";
+        let why = "steps x tolerance x (1 + |y|): deviations from the line shrink backwards in time, so that Delta shifts by no more";
         let bound = steps * tolerance * SIZE + 1e-11;
         rows.add(name, format!("{what}: shift in Delta of the line between scattered and bound, tolerance {tolerance:e}"), (bound, why), (line(tolerance)? - truth).abs());
     }
     Ok(())
 }
 
-/// Away from such lines the deflection converges with the stepper's order, 8, that of the dense output in
-/// which departure is located being 7.
+/// Away from such lines the error of the deflection falls with the number of steps as their order says: 8 for the
+/// steps, 7 for the dense output in which the departure is located.
 fn order(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let name = model.method().name();
     for (approach, beta, dx) in [
@@ -132,7 +132,7 @@ fn order(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
             let error = (run.deflections_rad()[0] - truth).abs();
             points.push(((run.counters.steps as f64).ln(), larger(error, 1e-15).ln()));
         }
-        let why = "steps of order 8; 7 for the dense output that locates events";
+        let why = "steps are of order 8; the dense output, which locates events, is of order 7";
         rows.add(name, format!("{approach}, beta {beta}, dx {dx}: slope of the deflection's error against the number of steps"), (-7.0, why), slope(&points));
     }
     Ok(())

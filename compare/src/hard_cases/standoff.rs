@@ -1,4 +1,5 @@
-//! The standoff, Delta = Sigma = 1: unstable, and kept for ever by a pair that is symmetric to the last bit.
+//! The standoff, `Delta = Sigma = 1`: two squirmers face each other at rest. The equilibrium is unstable, but a pair that
+//! is symmetric to the last bit stays in it for ever.
 
 use std::f64::consts::PI;
 
@@ -11,7 +12,7 @@ use super::{Bench, Rows, until};
 use crate::maps::Pair;
 use crate::{CompareError, Model};
 
-/// Squirmer parameter of the pairs whose standoff is tipped.
+/// Squirmer parameter of the pairs whose standoff is disturbed.
 const BETA: f64 = 5.0;
 
 pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
@@ -38,28 +39,28 @@ fn symmetric(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareErr
     let tilt = one.abs() + (two - PI).abs() + run.end.line_angle_rad.abs();
     let why = (
         0.0,
-        "the balance uses sums and differences only, and the angles' sines are zero",
+        "the force balance uses sums and differences only, and the sines of the angles are zero",
     );
     rows.add(
         name,
-        format!("beta {beta}: tilt at t = 200, in the plane"),
+        format!("beta {beta}: tilt at t = 200, motion in the plane"),
         why,
         tilt,
     );
     rows.add(
         name,
-        format!("beta {beta}: motion of the midpoint"),
+        format!("beta {beta}: displacement of the midpoint"),
         why,
         run.end.midpoint.norm(),
     );
     let not = f64::from(u8::from(run.outcome != Outcome::Standoff));
     rows.add(
         name,
-        format!("beta {beta}: outcome other than standoff"),
+        format!("beta {beta}: pairs whose outcome is not standoff"),
         (0.0, "it is at rest"),
         not,
     );
-    // In three dimensions, with vectors of which one is the other's opposite exactly.
+    // In three dimensions: one orientation is exactly the opposite of the other.
     let mut start = scene.start;
     start[0].orientation = Orientation::Vector([1.0, 0.0, 0.0].into());
     start[1].orientation = Orientation::Vector([-1.0, 0.0, 0.0].into());
@@ -70,14 +71,15 @@ fn symmetric(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareErr
     let off = (one + two).norm() + one.y.abs() + one.z.abs() + run.end.midpoint.norm();
     rows.add(
         name,
-        format!("beta {beta}: tilt and motion at t = 200, in three dimensions"),
+        format!("beta {beta}: tilt and displacement at t = 200, motion in three dimensions"),
         why,
         off,
     );
     Ok(())
 }
 
-/// Two ways to tip a facing pair: as mirror images, and as images under half a turn.
+/// Two ways to disturb a facing pair: both tilt as mirror images, or as images under half a turn; with the sign of the
+/// second one's tilt.
 const MODES: [(&str, f64); 2] = [("mirror images", -1.0), ("half a turn", 1.0)];
 
 fn tipped(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
@@ -99,13 +101,14 @@ fn tipped(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
             let off = (state.eigenvalues.iter())
                 .map(|e| (rate / e.re - 1.0).abs())
                 .fold(f64::INFINITY, f64::min);
-            // The Jacobian is by central differences of step 1e-5, with third derivatives up to 10.
-            // A line through values of ln(tilt) that are off by E each is off by at most 3 E over its length.
+            // The Jacobian comes from central differences with steps of 1e-5; third derivatives are up to 10.
+            // If each value of ln(tilt) is wrong by E, the slope of the line through them is wrong by at most 3 E
+            // divided by its length.
             let error = steps * 3.0_f64.sqrt() * FINEST / FROM;
-            let why = "sqrt(3) tolerance over the tilt, 1e-6, in every step; tilt squared; differences of 1e-5 squared";
+            let why = "sqrt(3) tolerance/(tilt of 1e-6) in each step; the tilt squared; the Jacobian's differences of 1e-5, squared";
             rows.add(
                 name,
-                format!("{mode}: growth rate of 1e-12 off the eigenvalue, relative"),
+                format!("{mode}: growth rate of a tilt of 1e-12, relative difference from the eigenvalue"),
                 (3.0 * error / (TO / FROM).ln() + TO * TO + 1e-9, why),
                 off,
             );
@@ -114,19 +117,21 @@ fn tipped(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let differ = f64::from(u8::from(left != growing));
     rows.add(
         name,
-        format!("ways to leave ({left}) other than growing eigenvalues ({growing})"),
-        (0.0, "linearised motion"),
+        format!("disturbances that grow ({left}): their number differs from that of growing eigenvalues ({growing})"),
+        (0.0, "linearised equations of motion"),
         differ,
     );
     Ok(())
 }
 
-/// Tolerance of runs that are tipped, and tilts from which to which growth is linear and far above it.
+/// Tolerance of runs from a disturbed standoff. Between the tilts `FROM` and `TO` growth is linear, and the tilt is far
+/// above the tolerance.
 const FINEST: f64 = 1e-13;
 const FROM: f64 = 1e-6;
 const TO: f64 = 1e-4;
 
-/// Rate at which a tilt of 1e-12 grows between the two, if it does, and the steps up to the larger.
+/// Rate at which a tilt that starts at 1e-12 grows between `FROM` and `TO`, and the steps up to `TO`; none if it does
+/// not grow.
 fn growth(
     model: &Model,
     squirmer: Squirmer,
@@ -141,7 +146,7 @@ fn growth(
     };
     let start = [pose(-half, TILT), pose(half, PI + sign * TILT)];
     let scene = Scene::new([squirmer; 2], start, Some(Repulsion::PAPER), None)?;
-    // On the state of its symmetry, in which the other way to leave does not exist.
+    // The plan keeps the symmetry of the start, so that the other kind of disturbance cannot grow from rounding.
     let plan = Plan::new(&scene)?;
     let options = RunOptions {
         sample_interval: Some(0.01),
@@ -169,7 +174,7 @@ fn growth(
     Ok((over && seen.len() > 2).then(|| (slope(&seen), steps)))
 }
 
-/// Slope of the straight line closest to some points.
+/// Slope of the straight line through some points by least squares.
 pub(super) fn slope(points: &[(f64, f64)]) -> f64 {
     let count = points.len() as f64;
     let (x, y) = points

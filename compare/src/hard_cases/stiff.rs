@@ -1,4 +1,4 @@
-//! Stiff repulsion, strong gravity, strong slip, and squirmers that do not swim.
+//! Stiff repulsion, strong gravity, strong slip, and squirmers that do not swim alone.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -59,7 +59,7 @@ fn pair(
     Ok(Scene::new([squirmer; 2], start, repulsion, gravity)?)
 }
 
-/// Twice the axial slip force on each of a facing pair, and the repulsion, per `pi mu a`.
+/// Force of the slip on each squirmer of a facing pair, and the repulsion, both per `pi mu a`.
 fn axial_forces(
     model: &Model,
     squirmer: &Squirmer,
@@ -74,7 +74,7 @@ fn axial_forces(
     Ok((slip, repulsion.force(gap)))
 }
 
-/// A facing pair runs to where slip and repulsion balance, from every gap.
+/// From every gap, a facing pair ends where the force of the slip balances the repulsion.
 fn repulsion(
     model: &Model,
     (squirmer, vigour): (Squirmer, f64),
@@ -84,7 +84,7 @@ fn repulsion(
 ) -> Result<(), CompareError> {
     let name = model.method().name();
     let repulsion = Repulsion::new(10.0, decay)?;
-    // The balance by bisection, in ln eps.
+    // ln eps of the balance, by bisection.
     let (mut low, mut high) = (1e-9_f64.ln(), 0.0);
     for _ in 0..200 {
         let middle: f64 = 0.5 * (low + high);
@@ -110,10 +110,10 @@ fn repulsion(
     let bound = TOLERANCE * 10.0 * (1.0 - low);
     rows.add(
         name,
-        format!("{what}: |ln| of the end gap over the equilibrium's"),
+        format!("{what}: |ln(gap at the end/gap of the equilibrium)|"),
         (
             bound,
-            "tolerance x (1 + |ln eps|), steps contracting by a tenth at least",
+            "10 x tolerance x (1 + |ln eps|): each step reduces the earlier errors by a tenth at least",
         ),
         off,
     );
@@ -123,15 +123,15 @@ fn repulsion(
         format!("{what}: steps"),
         (
             bound,
-            "stability: a step of 2 over the decay rate at least, and 500 for the way there",
+            "stability allows steps of 2/(decay rate); 500 more on the way to the equilibrium",
         ),
         steps,
     );
     Ok(())
 }
 
-/// Stokes flow knows no direction of time: a pair that nothing but slip moves goes back to where it was, gap
-/// and orientations, when the slip of both is reversed.
+/// Stokes flow is reversible: a pair that moves by its slip alone returns to the gap and the orientations of its start
+/// when the slip of both squirmers is reversed.
 fn there_and_back(
     model: &Model,
     beta: f64,
@@ -149,7 +149,7 @@ fn there_and_back(
         let scene = pair(ln_gap.exp(), squirmer, [one, two], None, None)?;
         Ok(model.run(&scene, &until(time, TOLERANCE))?)
     };
-    // The line of centres is turned back to where it was at the start.
+    // Orientations relative to the line of centres: the whole pair may have turned.
     let state = |run: &Run| {
         let c = &run.end;
         [
@@ -170,11 +170,13 @@ fn there_and_back(
     }
     let steps = (out.counters.steps + home.counters.steps) as f64;
     let error = steps * 6.0_f64.sqrt() * TOLERANCE * (1.0 - start[0].min(out.min_gap.ln()));
-    let why = "sqrt(6) tolerance x (1 + |ln eps|) a step, times the answer to a displacement where it turns back";
+    let why = "sqrt(6) tolerance x (1 + |ln eps|) in each step, times how much a displacement at the turning point changes the end";
     let moved = largest_difference(state(&out), start);
     rows.add(
         model.method().name(),
-        format!("{what}: state after {moved:.1} there and as much back, off the start"),
+        format!(
+            "{what}: gap (ln) and angles change by {moved:.1} and back: difference from the start"
+        ),
         (error * answer.max(1.0), why),
         largest_difference(state(&home), start),
     );
@@ -186,8 +188,8 @@ fn largest_difference(one: [f64; 3], other: [f64; 3]) -> f64 {
     pairs.map(|(a, b)| (a - b).abs()).fold(0.0, larger)
 }
 
-/// Far-apart squirmers right themselves as `tan(angle/2) exp(-k t)`, `k = G/(8 pi)`; a pair in contact
-/// under gravity that outweighs all else ends up upright.
+/// Gravity turns squirmers that are far apart upright: `tan(angle/2)` from the vertical decays as `exp(-k t)` with
+/// `k = G/(8 pi)`. A pair near contact ends upright where gravity's torque is much larger than all others.
 fn gravity(model: &Model, g: f64, what: &str, rows: &mut Rows) -> Result<(), CompareError> {
     let name = model.method().name();
     let squirmer = Squirmer::with_beta(1.0, 1.0)?.bottom_heavy(g)?;
@@ -206,10 +208,10 @@ fn gravity(model: &Model, g: f64, what: &str, rows: &mut Rows) -> Result<(), Com
     let bound = steps.min(100.0) * TOLERANCE * 3.0 + 1e-10;
     rows.add(
         name,
-        format!("{what}: angle of far-apart squirmers off the closed form"),
+        format!("{what}: angle of squirmers far apart: difference from the closed form"),
         (
             bound,
-            "tolerance x (1 + angle) of the last 100 steps, earlier ones decay",
+            "tolerance x (1 + angle) in each of the last 100 steps; errors of earlier steps have decayed",
         ),
         off,
     );
@@ -224,15 +226,16 @@ fn gravity(model: &Model, g: f64, what: &str, rows: &mut Rows) -> Result<(), Com
         let run = model.run(&scene, &until(50.0, TOLERANCE))?;
         rows.add(
             name,
-            format!("{what}: outcome in contact other than upward"),
-            (0.0, "gravity's torque is the largest"),
+            format!("{what}: pairs near contact whose outcome is not upward"),
+            (0.0, "gravity's torque is much larger than all others"),
             f64::from(u8::from(run.outcome != Outcome::Upward)),
         );
     }
     Ok(())
 }
 
-/// Squirmers without a first mode have no speed to divide by; without any they stay as they are.
+/// Squirmers without a first mode do not swim: no speed may be divided by. Squirmers without any mode are passive
+/// spheres.
 fn no_swimming(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let name = model.method().name();
     let scene = pair(
@@ -250,14 +253,14 @@ fn no_swimming(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     rows.add(
         name,
         "no slip: turning of passive spheres that repel each other",
-        (0.0, "no torque, exactly"),
+        (0.0, "no torque acts on them"),
         turned,
     );
     let moved = run.end.midpoint.norm();
     rows.add(
         name,
-        "no slip: motion of their midpoint",
-        (0.0, "equal and opposite forces, exactly"),
+        "no slip: motion of the midpoint of such spheres",
+        (0.0, "the forces are equal and opposite"),
         moved,
     );
     for b2 in [-3.0, 3.0] {
@@ -278,11 +281,11 @@ fn no_swimming(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
             .all(|v| v.is_finite());
         rows.add(
             name,
-            format!("V_s = 0, B_2 = {b2}: numbers at the end that are not finite"),
+            format!("V_s = 0, B_2 = {b2}: runs whose numbers at the end are not finite"),
             (0.0, "nothing is divided by V_s"),
             f64::from(u8::from(!finite)),
         );
-        // The second mode does not tell head from tail: P_2 and W_2 p_t are even in p.
+        // The second mode is the same for p and -p: P_2 and W_2 p_t are even in p.
         let ends = [1.0, -1.0].map(|sign| {
             let mut start = scene.start;
             for pose in &mut start {
@@ -300,8 +303,10 @@ fn no_swimming(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         let off = turned + (ahead.midpoint - astern.midpoint).norm();
         rows.add(
             name,
-            format!("V_s = 0, B_2 = {b2}: motion of the pair head to tail off its own"),
-            (0.0, "even in p, every term"),
+            format!(
+                "V_s = 0, B_2 = {b2}: change of the motion when both orientations are reversed"
+            ),
+            (0.0, "every term is even in p"),
             off + (ahead.gap.ln() - astern.gap.ln()).abs(),
         );
     }

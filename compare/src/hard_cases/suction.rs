@@ -1,7 +1,8 @@
-//! No repulsion: pairs that suck themselves together, down to a gap of 1e-300.
+//! No repulsion: the slip of the squirmers pulls a pair together, down to a gap of 1e-300.
 //!
-//! With `L = ln(1/eps)` a pair whose squirmers point at `c = p.d` obeys `dL/dt = (2 k/3) 2 S L + const.`, `S
-//! = Σ B_n P_n(c)`, `k` the axial squirming coefficient (3; as published 9/4): 4 S L, published 3 S L.
+//! Let `L = ln(1/eps)`, and let `c = p.d` be the cosine between each squirmer's orientation and the direction to the
+//! other one. Near contact `dL/dt = (4 k/3) S L + constant`, with `S = Σ B_n P_n(c)`. The axial squirming coefficient
+//! `k` is 3, so that the slope is `4 S`; the published 9/4 makes it `3 S`.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -13,7 +14,7 @@ use crate::{CompareError, Method, Model};
 
 const TOLERANCE: f64 = 1e-8;
 
-/// Where contact is said to be.
+/// The gap at which a run ends in contact.
 const TOUCHING: f64 = 1e-300;
 
 const METHODS: [Method; 3] = [Method::Lt, Method::LtCorrected, Method::Exact];
@@ -28,7 +29,7 @@ pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
     }
 }
 
-/// Two equal squirmers on the x axis at the angles to the line of centres, as mirror images.
+/// Two equal squirmers on the x axis, mirror images of each other; the first one at this angle to the x axis.
 fn mirror_pair(eps: f64, beta: f64, angle: f64) -> Result<Scene, CompareError> {
     let squirmer = Squirmer::with_beta(1.0, beta)?;
     let half = 1.0 + 0.5 * eps;
@@ -40,8 +41,8 @@ fn mirror_pair(eps: f64, beta: f64, angle: f64) -> Result<Scene, CompareError> {
     Ok(Scene::new([squirmer; 2], start, None, None)?)
 }
 
-/// Slope and constant of `dL/dt = slope L + constant` near contact, at the cosine 1 of facing squirmers:
-/// from the loads at a tiny gap, not through the force balance.
+/// Slope and constant of `dL/dt = slope L + constant` near contact for facing squirmers (`c = 1`). They come from the
+/// loads at a tiny gap, without the force balance.
 fn suction(model: &Model, squirmer: &Squirmer) -> Result<(f64, f64), CompareError> {
     let gap = Gap::new(1e-12)?;
     let loads = model.loads(gap, LoadSet::all(2))?;
@@ -68,7 +69,7 @@ fn facing(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareError>
     rows.add(
         name,
         of("outcome other than contact"),
-        (0.0, "nothing keeps them apart"),
+        (0.0, "there is no repulsion"),
         f64::from(u8::from(run.outcome != Outcome::Contact)),
     );
     let (from, to) = (run.start.gap.log_inverse(), -TOUCHING.ln());
@@ -76,14 +77,14 @@ fn facing(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareError>
     let time = ((to + shift) / (from + shift)).ln() / slope;
     let steps = run.counters.steps as f64;
     let bound = steps * TOLERANCE * 2.0 + 1e-7;
-    let why = "steps x tolerance of ln eps, twice (it grows with it), and eps L at the start";
+    let why = "steps x tolerance x 2, because errors grow as L does, plus eps L at the start";
     rows.add(
         name,
-        of("time to a gap of 1e-300, times 4 S, off the closed form"),
+        of("time to a gap of 1e-300, times the slope of dL/dt: difference from the closed form"),
         (bound, why),
         (run.end_time - time).abs() * slope,
     );
-    let why = "an exponential needs a step for each tolerance^(1/8) = 0.1 of its exponent, and 10 to begin";
+    let why = "an exponential takes one step for each tolerance^(1/8) = 0.1 of its exponent, and 10 steps at the start";
     rows.add(
         name,
         of("steps"),
@@ -92,24 +93,30 @@ fn facing(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareError>
     );
     rows.add(
         name,
-        of("|ln| of end gap over 1e-300"),
-        (TOLERANCE * 700.0, "located to the tolerance of ln eps"),
+        of("|ln(gap/1e-300)| at the end"),
+        (
+            TOLERANCE * 700.0,
+            "contact is located to the tolerance times |ln eps|",
+        ),
         (run.end.gap.ln() - TOUCHING.ln()).abs(),
     );
     let [one, two] = run.end.orientations;
     let tilt = larger(one.y.abs(), two.y.abs());
     rows.add(
         name,
-        of("orientation off the line"),
-        (2.0 * f64::EPSILON, "facing exactly: the sine of pi"),
+        of("component of the orientations across the line of centres"),
+        (
+            2.0 * f64::EPSILON,
+            "they face each other: only the rounding of the sine of pi is left",
+        ),
         tilt,
     );
     Ok(())
 }
 
-/// Side by side S = -B_2/2: pullers part. Pushers approach while the torques turn them away from each
-/// other, until S changes its sign: both by the asymptotic equations `dL/dt = slope S(c) L + const.` and
-/// `d(angle)/dt` by the balance of torques alone.
+/// Squirmers side by side: there `S = -B_2/2`, so that pullers part at once. Pushers approach, while the torques turn
+/// them away from each other until `S` changes its sign. Their smallest gap is compared with that by the asymptotic
+/// equations: `dL/dt = slope S(c) L + constant`, and the rate of the angle from the balance of torques.
 fn side_by_side(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let name = model.method().name();
     let options = until(200.0, TOLERANCE);
@@ -117,10 +124,10 @@ fn side_by_side(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let start = pullers.start.gap;
     rows.add(
         name,
-        "side by side, beta 5: smallest gap under that at the start, relative",
+        "side by side, beta 5: how far the gap falls below that at the start, relative",
         (
             (1.0 - start.ln()) * f64::EPSILON,
-            "S < 0: the gap only opens at first; rounding of exp(ln eps)",
+            "S < 0, so that the gap grows from the start; rounding of exp(ln eps)",
         ),
         1.0 - pullers.min_gap / start.eps(),
     );
@@ -130,18 +137,18 @@ fn side_by_side(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let nearest = asymptotic_turning(model, &scene.squirmers[0], from)?;
     let steps = pushers.counters.steps as f64;
     let bound = steps * TOLERANCE * SIZE + 1e-8 * nearest;
-    let why = "steps x tolerance x (1 + angle), and eps L at the start, grown as L";
+    let why = "steps x tolerance x (1 + |y|), plus eps L at the start, which grows as L does";
     rows.add(
         name,
-        format!("side by side, beta -5: ln of the smallest gap, {:.1}, off the asymptotic equations, relative", -nearest),
+        format!("side by side, beta -5: ln of the smallest gap, {:.1}, relative difference from the asymptotic equations", -nearest),
         (bound, why),
         (-pushers.min_gap.ln() / nearest - 1.0).abs(),
     );
     Ok(())
 }
 
-/// Largest `L` of mirror images that begin side by side: the two asymptotic equations by the classical
-/// fourth-order scheme.
+/// Largest `L` of mirror images that begin side by side, by the two asymptotic equations. They are integrated by the
+/// classical Runge–Kutta method of fourth order.
 fn asymptotic_turning(model: &Model, squirmer: &Squirmer, from: f64) -> Result<f64, CompareError> {
     const STEP: f64 = 1e-5;
     let unit = Gap::new(1e-12)?;

@@ -261,4 +261,6 @@ impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
 }
 
 #[cfg(test)]
+mod kept_tests;
+#[cfg(test)]
 mod tests;

@@ -4,9 +4,9 @@ use approx::assert_relative_eq;
 
 /// A made-up model with the true singular parts, a seam at which it jumps, and stated noise.
 #[derive(Clone)]
-struct Made {
-    seam: Option<f64>,
-    noise: f64,
+pub(super) struct Made {
+    pub seam: Option<f64>,
+    pub noise: f64,
 }
 
 impl Hydrodynamics for Made {
@@ -250,68 +250,6 @@ fn a_table_of_part_of_the_loads_holds_that_part_alone() {
         }
         assert!(part.loads(Gap::from_ln(0.0), LoadSet::all(4)).is_err());
     }
-}
-
-fn cached(model: Made, folder: &std::path::Path) -> (Tabulated<Made>, bool) {
-    let options = TableOptions {
-        set: LoadSet::all(2),
-        tolerance: 1e-8,
-        smallest_gap: 1e-3,
-    };
-    let solved = std::sync::atomic::AtomicBool::new(false);
-    let progress = |_| solved.store(true, std::sync::atomic::Ordering::Relaxed);
-    let table = Tabulated::load_or_build(model, options, folder, &progress).unwrap();
-    (table, solved.into_inner())
-}
-
-const QUIET: Made = Made {
-    seam: Some(0.3),
-    noise: 1e-14,
-};
-
-#[test]
-fn a_kept_table_serves_again_bit_for_bit() {
-    let folder = tempfile::tempdir().unwrap();
-    let (built, solved) = cached(QUIET, folder.path());
-    assert!(solved);
-    let (loaded, solved) = cached(QUIET, folder.path());
-    assert!(!solved);
-    assert_eq!(built.table, loaded.table);
-}
-
-#[test]
-fn a_kept_table_of_another_model_does_not_serve() {
-    let folder = tempfile::tempdir().unwrap();
-    cached(QUIET, folder.path());
-    let other = Made {
-        seam: Some(0.2),
-        ..QUIET
-    };
-    assert!(cached(other, folder.path()).1);
-    assert!(!cached(QUIET, folder.path()).1, "both are kept");
-}
-
-#[test]
-fn a_damaged_table_is_built_again() {
-    let folder = tempfile::tempdir().unwrap();
-    let (built, _) = cached(QUIET, folder.path());
-    let file = std::fs::read_dir(folder.path()).unwrap().next().unwrap();
-    let path = file.unwrap().path();
-    let whole = std::fs::read(&path).unwrap();
-    let mut flipped = whole.clone();
-    flipped[whole.len() / 2] ^= 1;
-    for damaged in [&whole[..whole.len() / 2], &flipped, b""] {
-        std::fs::write(&path, damaged).unwrap();
-        let (again, solved) = cached(QUIET, folder.path());
-        assert!(solved);
-        assert_eq!(again.table, built.table);
-    }
-}
-
-#[test]
-fn a_folder_that_cannot_be_written_costs_only_the_keeping() {
-    let file = tempfile::NamedTempFile::new().unwrap();
-    assert!(cached(QUIET, &file.path().join("below")).1);
 }
 
 /// A model that says other things of itself than it does: no seams, no error estimate, and perhaps a cut.

@@ -1,47 +1,86 @@
-//! The command for numerically hard cases.
+//! `squirmers hard-cases`: numerically hard cases, printed group by group as they come.
 
+use clap::Args;
 use comfy_table::Table;
 
 use crate::arguments::Arguments;
 use crate::error::CommandError;
+use crate::progress;
 use crate::streams::say;
 use crate::terminal::words;
 use compare::ModelOptions;
-use compare::hard_cases::{Bench, GROUPS, Group, HardCaseRow, all_rows};
+use compare::hard_cases::{self, Bench, GROUPS, Group, HardCaseRow};
 use compare::numbers::size;
 use compare::output::csv_text;
 
-pub(super) fn run(general: &Arguments) -> Result<(), CommandError> {
+#[derive(Debug, Args)]
+pub(crate) struct HardCaseArguments {
+    /// Groups to run, such as contact or long-runs [default: all]
+    #[arg(long, value_name = "LIST", value_parser = parse_groups)]
+    only: Option<Groups>,
+}
+
+/// Groups in the order of [`GROUPS`], none twice.
+#[derive(Clone, Debug)]
+struct Groups(Vec<&'static Group>);
+
+/// A group's name as it is typed: with dashes, because a list on the command line has no spaces.
+fn typed(group: &Group) -> String {
+    group.name.replace(' ', "-")
+}
+
+fn parse_groups(text: &str) -> Result<Groups, String> {
+    let mut chosen = [false; GROUPS.len()];
+    for name in text.split(',').map(str::trim) {
+        let place = GROUPS.iter().position(|group| typed(group) == name);
+        let place = place.ok_or_else(|| {
+            let known: Vec<_> = GROUPS.iter().map(typed).collect();
+            format!("'{name}' is not a group: use {}", known.join(", "))
+        })?;
+        if std::mem::replace(&mut chosen[place], true) {
+            return Err(format!("'{name}' is in the list twice: once is enough"));
+        }
+    }
+    let groups = GROUPS.iter().zip(chosen);
+    Ok(Groups(
+        groups
+            .filter_map(|(group, chosen)| chosen.then_some(group))
+            .collect(),
+    ))
+}
+
+pub(super) fn run(arguments: &HardCaseArguments, general: &Arguments) -> Result<(), CommandError> {
     let mut options = ModelOptions::default();
     if let Some(cache) = &general.cache {
         options.cache = Some(cache.clone());
     }
+    let groups = match &arguments.only {
+        Some(groups) => groups.0.clone(),
+        None => GROUPS.iter().collect(),
+    };
     let out = general.output()?;
     let bench = Bench::set_up(&options)?;
-    let rows = all_rows(&bench);
-    for group in &GROUPS {
-        let of_group = rows.iter().filter(|row| row.case == group.name);
-        print(group, of_group);
-    }
+    let mut rows = Vec::new();
+    hard_cases::run(&bench, &groups, &mut |group, of_group| {
+        progress::aside(|| print(group, &of_group));
+        rows.extend(of_group);
+    });
     out.write("hard-cases.csv", &csv_text(&rows)?)?;
-    let broken = rows.iter().filter(|row| !row.holds).count();
-    out.account().broken(broken, rows.len());
+    out.account().bounds(rows.iter().map(|row| row.holds));
     out.account().verdict()?;
     say!("all {} bounds hold", rows.len());
     Ok(())
 }
 
-fn print<'a>(group: &Group, rows: impl Iterator<Item = &'a HardCaseRow>) {
-    say!(
-        "{}",
-        words([vec![format!("{}: {}", group.name, group.hazard)]].into_iter())
-    );
+fn print(group: &Group, rows: &[HardCaseRow]) {
+    let heading = vec![format!("{}: {}", group.name, group.hazard)];
+    say!("{}", words([heading].into_iter()));
     say!("{}\n", table(rows));
 }
 
-fn table<'a>(rows: impl Iterator<Item = &'a HardCaseRow>) -> Table {
+fn table(rows: &[HardCaseRow]) -> Table {
     let header = ["method", "measure", "bound", "value", "holds"].map(str::to_owned);
-    let rows = rows.map(|row| {
+    let rows = rows.iter().map(|row| {
         vec![
             row.method.to_owned(),
             row.measure.clone(),
@@ -70,13 +109,31 @@ mod tests {
             value: -2.5e-11,
             holds: true,
         };
-        let text = table([row].iter()).to_string();
+        let text = table(&[row]).to_string();
         assert!(
             text.lines().all(|line| line.chars().count() <= 80),
             "{text}"
         );
         for whole in ["lt-corrected", "1.5e-8", "-2.5e-11", "yes"] {
             assert!(text.contains(whole), "{text}");
+        }
+    }
+
+    #[test]
+    fn groups_come_in_their_fixed_order_however_they_are_typed() {
+        let groups = parse_groups("far, no-repulsion").unwrap().0;
+        let names: Vec<_> = groups.iter().map(|group| group.name).collect();
+        assert_eq!(names, ["no repulsion", "far"]);
+        for (list, named) in [
+            (
+                "contact,files",
+                "'files' is not a group: use contact, no-repulsion,",
+            ),
+            ("far,far", "'far' is in the list twice"),
+            ("", "'' is not a group"),
+        ] {
+            let refused = parse_groups(list).unwrap_err();
+            assert!(refused.contains(named), "{refused}");
         }
     }
 }

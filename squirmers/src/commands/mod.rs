@@ -3,7 +3,7 @@
 pub(crate) mod bottom_heavy;
 pub(crate) mod cost;
 pub(crate) mod encounters;
-mod hard_cases;
+pub(crate) mod hard_cases;
 mod loads;
 mod many;
 pub(crate) mod maps;
@@ -45,7 +45,7 @@ pub(crate) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), Command
         Command::Scatter(map) => maps::scatter(map, arguments),
         Command::Fates(map) => maps::fates(map, arguments),
         Command::BottomHeavy { models, runs } => bottom_heavy::run(models, runs, arguments),
-        Command::HardCases => hard_cases::run(arguments),
+        Command::HardCases(cases) => hard_cases::run(cases, arguments),
         Command::Trust(map) => maps::trust(map, arguments),
         Command::Run(run) => scene::run(run, arguments),
         Command::Explain(explain) => scene::explain(explain, arguments),

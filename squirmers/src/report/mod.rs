@@ -77,7 +77,9 @@ pub(crate) fn write(
         content.sections.extend(maps.sections()?);
     }
     content.sections.push(effects::section(&models)?);
-    content.sections.push(hard_cases::section(options, out)?);
+    content
+        .sections
+        .push(hard_cases::section(methods, options, out)?);
     if models.iter().any(|model| model.method() == Method::Exact) {
         content.sections.push(cost::section(out)?);
     }

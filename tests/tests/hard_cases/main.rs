@@ -1,5 +1,5 @@
-//! Numerically hard cases, each held against a bound that was derived beforehand: the table of
-//! `squirmers hard-cases`, a group a test.
+//! Numerically hard cases, each compared with a bound that was derived before anything was measured: the rows of
+//! `squirmers hard-cases`, one group a test.
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
@@ -59,5 +59,5 @@ groups! {
     val_the_spatial_code_is_the_planar_one_in_the_plane: "out of plane",
     val_tables_join_and_tend_to_reflections_far_out: "far",
     val_boundary_elements_are_within_their_estimate_or_refuse: "boundary elements",
-    extreme_numbers_torn_files_and_threads_do_no_harm: "machine",
+    val_extreme_numbers_and_threads_do_no_harm: "machine",
 }
