@@ -26,7 +26,7 @@ fn pose(x: f64, orientation: Orientation) -> Pose {
 
 /// A pair whose first squirmer stands at `x` with this orientation; the second stands at 2.
 fn pair(x: f64, orientation: Orientation) -> Result<Scene, SceneError> {
-    let poses = [pose(x, orientation), pose(2.0, Orientation::Angle(2.0))];
+    let poses = [pose(x, orientation), pose(2.0, Orientation::Radians(2.0))];
     Scene::new([squirmer(); 2], poses, None, None)
 }
 
@@ -78,12 +78,12 @@ fn gravity_must_have_a_direction() {
 
 #[test]
 fn positions_and_orientations_must_be_finite() {
-    assert!(pair(-2.0, Orientation::Angle(0.4)).is_ok());
+    assert!(pair(-2.0, Orientation::Radians(0.4)).is_ok());
     for bad in NOT_FINITE {
         let vector = Orientation::Vector([bad, 0.0, 1.0].into());
         for (what, refused) in [
-            ("position", pair(bad, Orientation::Angle(0.4))),
-            ("angle", pair(-2.0, Orientation::Angle(bad))),
+            ("position", pair(bad, Orientation::Radians(0.4))),
+            ("angle", pair(-2.0, Orientation::Radians(bad))),
             ("vector", pair(-2.0, vector)),
         ] {
             assert!(refused.is_err(), "{what} {bad}");
@@ -93,7 +93,7 @@ fn positions_and_orientations_must_be_finite() {
 
 #[test]
 fn runs_must_have_a_positive_end_time_and_tolerance() {
-    let scene = pair(-2.0, Orientation::Angle(0.4)).unwrap();
+    let scene = pair(-2.0, Orientation::Radians(0.4)).unwrap();
     assert!(run(&scene, &Isolated, &RunOptions::default()).is_ok());
     for bad in NOT_POSITIVE {
         for options in [

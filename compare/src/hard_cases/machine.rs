@@ -31,7 +31,7 @@ fn pair(
 ) -> Result<Scene, SceneError> {
     let pose = |x: f64, y: f64, angle: f64| Pose {
         position: [x, y, 0.0].into(),
-        orientation: Orientation::Angle(angle),
+        orientation: Orientation::Radians(angle),
     };
     Scene::new(
         [squirmer; 2],
@@ -117,7 +117,7 @@ fn extremes(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
             let finite = positions
                 .iter()
                 .flat_map(|p| p.iter())
-                .chain(&run.end.angles)
+                .chain(&run.end.angles_rad)
                 .all(|v| v.is_finite());
             if !finite || run.end_time.is_nan() {
                 wrong.push(what.to_owned());

@@ -289,7 +289,12 @@ impl Swing {
 
     /// `A`: the largest shift of the passages, divided by the displacement of the state that causes it. The displacement
     /// is measured as the tolerance measures it. The largest value of all states of the cycle.
-    fn answer(&self, model: &Model, cycle: &Cycle, line_angle_rad: f64) -> Result<f64, CompareError> {
+    fn answer(
+        &self,
+        model: &Model,
+        cycle: &Cycle,
+        line_angle_rad: f64,
+    ) -> Result<f64, CompareError> {
         let time = (PERIODS * cycle.period).max(FOLLOWED);
         // The line between mirror images does not turn, and a displacement of the second one displaces the first too.
         let variables: &[usize] = if self.mirrored {
