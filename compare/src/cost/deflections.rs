@@ -12,11 +12,11 @@ use std::time::Instant;
 use bem::Bem;
 use exact::Exact;
 use lt::{Form, Lubrication};
-use scene::{Gap, Hydrodynamics, Outcome, Run, RunOptions, Scene, SceneError, run};
+use scene::{Gap, Hydrodynamics, Outcome, Run, RunOptions, Scene, SceneError};
 
 use super::tables::Tables;
 use super::timing::timed;
-use super::{CostOptions, CostRow, LOADS, Part};
+use super::{CostOptions, CostRow, LOADS, Part, run_any, run_lubrication};
 use crate::{Approach, Case, CompareError, Defaults, Method};
 
 /// Tolerances of the stepper.
@@ -29,7 +29,7 @@ const BEM_TOLERANCES: &[f64] = &[1e-4];
 /// The referee's tolerance of the stepper.
 const REFEREE: f64 = 1e-13;
 
-/// A scene run at a tolerance; every model has its own compiled loop behind it.
+/// A scene run at a tolerance, through the loop by which the commands run the model.
 type RunAt<'a> = Box<dyn Fn(&Scene, f64) -> Result<Run, SceneError> + 'a>;
 
 /// A model to be measured.
@@ -41,14 +41,19 @@ struct Entrant<'a> {
 }
 
 impl<'a> Entrant<'a> {
-    fn new<M>(name: impl Into<String>, set_up_seconds: f64, model: &'a M) -> Self
-    where
-        M: Hydrodynamics + ?Sized,
-    {
+    fn lubrication(method: Method, model: &'a Lubrication) -> Self {
+        Self {
+            name: method.name().to_owned(),
+            set_up_seconds: 0.0,
+            run: Box::new(move |scene, tolerance| run_lubrication(scene, model, &at(tolerance))),
+        }
+    }
+
+    fn new(name: impl Into<String>, set_up_seconds: f64, model: &'a dyn Hydrodynamics) -> Self {
         Self {
             name: name.into(),
             set_up_seconds,
-            run: Box::new(move |scene, tolerance| run(scene, model, &at(tolerance))),
+            run: Box::new(move |scene, tolerance| run_any(scene, model, &at(tolerance))),
         }
     }
 }
@@ -68,8 +73,8 @@ pub(super) fn measure(
     let forms = [Form::Published, Form::Corrected].map(Lubrication::new);
     let exact = tables.usual_exact();
     let mut entrants = vec![
-        Entrant::new(Method::Lt.name(), 0.0, &forms[0]),
-        Entrant::new(Method::LtCorrected.name(), 0.0, &forms[1]),
+        Entrant::lubrication(Method::Lt, &forms[0]),
+        Entrant::lubrication(Method::LtCorrected, &forms[1]),
         Entrant::new("exact-table", exact.seconds, &exact.table),
     ];
     for built in tables.usual_bem() {
@@ -79,7 +84,7 @@ pub(super) fn measure(
     let mut references = Vec::with_capacity(cases.len());
     for case in &cases {
         let scene = case.scene()?;
-        let reference = run(&scene, tables.referee(), &at(REFEREE))?;
+        let reference = run_any(&scene, tables.referee(), &at(REFEREE))?;
         let mut tightest = Vec::new();
         for entrant in &entrants {
             let tight = (entrant.run)(&scene, REFEREE);
@@ -152,14 +157,14 @@ fn direct(
         .map(|built| Bem::new(built.level))
         .collect::<Result<Vec<_>, _>>()?;
     let mut models = vec![Direct {
-        entrant: Entrant::new("exact", seconds_of_solve(&exact)?, solved(&exact)),
+        entrant: Entrant::new("exact", seconds_of_solve(&exact)?, &exact),
         tolerances: SERIES_TOLERANCES,
         everywhere: true,
     }];
     for bem in &levels {
         let name = format!("bem-{}", bem.level());
         models.push(Direct {
-            entrant: Entrant::new(name, seconds_of_solve(bem)?, solved(bem)),
+            entrant: Entrant::new(name, seconds_of_solve(bem)?, bem),
             tolerances: BEM_TOLERANCES,
             everywhere: bem.level() == COARSE_LEVEL,
         });
@@ -177,7 +182,7 @@ fn direct(
             }
             let tight = reference.tightest(&entrant.name);
             for &tolerance in *tolerances {
-                let alike = run(&reference.scene, tables.referee(), &at(tolerance))?;
+                let alike = run_any(&reference.scene, tables.referee(), &at(tolerance))?;
                 let expected = entrant.set_up_seconds * alike.counters.loads as f64;
                 let mut row = row(&entrant.name, tolerance, &reference.case);
                 row.set_up_seconds = 0.0;
@@ -198,11 +203,6 @@ fn direct(
 /// Refinement level of the boundary elements that solve every case without a table; its loads are
 /// good to about 1e-3.
 pub(super) const COARSE_LEVEL: usize = 1;
-
-/// A model whose loads cost so much that its type need not be known to the compiled loop.
-fn solved(model: &dyn Hydrodynamics) -> &dyn Hydrodynamics {
-    model
-}
 
 /// Seconds of one solve where collisions go.
 fn seconds_of_solve<M: Hydrodynamics>(model: &M) -> Result<f64, SceneError> {

@@ -14,7 +14,8 @@ mod scaling;
 mod tables;
 mod timing;
 
-use scene::LoadSet;
+use lt::Lubrication;
+use scene::{Hydrodynamics, LoadSet, Plan, Run, RunOptions, Scene, SceneError};
 
 use crate::CompareError;
 
@@ -73,6 +74,24 @@ pub fn measure(options: &CostOptions, done: &dyn Fn()) -> Result<Vec<CostRow>, C
     scaling::sweeps(options, &tables, &mut rows)?;
     done();
     Ok(rows)
+}
+
+/// A scene by lubrication theory, through its own compiled loop.
+fn run_lubrication(
+    scene: &Scene,
+    model: &Lubrication,
+    options: &RunOptions,
+) -> Result<Run, SceneError> {
+    model.run(&Plan::new(scene)?, options, &mut |_| {})
+}
+
+/// A scene by any other model, through the loop that all others share.
+fn run_any(
+    scene: &Scene,
+    model: &dyn Hydrodynamics,
+    options: &RunOptions,
+) -> Result<Run, SceneError> {
+    scene::run_any(&Plan::new(scene)?, model, options, &mut |_| {})
 }
 
 /// Loads of the paper's cases.

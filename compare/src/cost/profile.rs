@@ -5,13 +5,15 @@ use std::hint::black_box;
 use exact::Exact;
 use lt::{Form, Lubrication};
 use scene::balance::{External, Heading, PairVelocity, pair_velocity};
-use scene::{Gap, Hydrodynamics, PairLoads, Repulsion, RunOptions, SceneError, Squirmer, run};
+use scene::{
+    Gap, Hydrodynamics, PairLoads, Repulsion, Run, RunOptions, Scene, SceneError, Squirmer,
+};
 
 use super::loads::REFEREE_TERMS;
 use super::scaling::fig_6;
 use super::tables::Tables;
 use super::timing::timed;
-use super::{CostRow, LOADS, Part};
+use super::{CostRow, LOADS, Part, run_any, run_lubrication};
 use crate::{CompareError, Method};
 
 /// Logarithms of gaps of a collision.
@@ -33,10 +35,15 @@ pub(super) fn right_hand_sides(
     tables: &Tables,
     rows: &mut Vec<CostRow>,
 ) -> Result<(), CompareError> {
-    profile(Method::Lt.name(), &Lubrication::new(Form::Published), rows)?;
-    profile("exact-table", &tables.usual_exact().table, rows)?;
+    let lubrication = Lubrication::new(Form::Published);
+    let lubrication_run = |scene: &_, options: &_| run_lubrication(scene, &lubrication, options);
+    profile(Method::Lt.name(), &lubrication, &lubrication_run, rows)?;
+    let exact = &tables.usual_exact().table;
+    let exact_run = |scene: &_, options: &_| run_any(scene, exact, options);
+    profile("exact-table", exact, &exact_run, rows)?;
     for built in tables.usual_bem() {
-        profile(&built.name, &built.table, rows)?;
+        let run = |scene: &_, options: &_| run_any(scene, &built.table, options);
+        profile(&built.name, &built.table, &run, rows)?;
     }
     Ok(())
 }
@@ -44,6 +51,7 @@ pub(super) fn right_hand_sides(
 fn profile<M: Hydrodynamics>(
     name: &str,
     model: &M,
+    run: &dyn Fn(&Scene, &RunOptions) -> Result<Run, SceneError>,
     rows: &mut Vec<CostRow>,
 ) -> Result<(), CompareError> {
     let squirmers = [Squirmer::with_beta(1.0, 5.0)?; 2];
@@ -74,7 +82,7 @@ fn profile<M: Hydrodynamics>(
     let per_velocity = timing.seconds / each;
     push("velocity", "collision", per_velocity, timing.repeats);
     let scene = fig_6(1.0).scene()?;
-    let (found, timing) = timed(|| run(&scene, model, &RunOptions::default()));
+    let (found, timing) = timed(|| run(&scene, &RunOptions::default()));
     let loads = found?.counters.loads as f64;
     let case = "head-on beta 5 dx 1";
     push("trajectory", case, timing.seconds, timing.repeats);
