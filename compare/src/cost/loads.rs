@@ -54,7 +54,7 @@ pub(super) fn measure(
             let knob = ("level", model.level() as f64);
             let before = model.solves();
             let mut row = at.row("bem", knob, || model.loads(gap, LOADS));
-            // The call ran once more as a warm-up, unless it took so long that it was the only one.
+            // `timed` adds a warm-up call, unless the call is so slow that it runs only once.
             let warm_up = if row.repeats > 1 { 1 } else { 0 };
             row.solves = (model.solves() - before) as f64 / (row.repeats + warm_up) as f64;
             rows.push(row);

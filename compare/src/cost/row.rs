@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::CompareError;
 
-/// What was measured.
+/// The kinds of measurements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Part {
@@ -34,7 +34,7 @@ impl fmt::Display for Part {
 /// One measurement. Numbers that do not apply, or that failed, are NaN.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CostRow {
-    /// What was measured.
+    /// The kind of this measurement.
     pub part: Part,
     /// The model, with `-table` where its loads are read from a table, and the level of boundary
     /// elements.

@@ -44,7 +44,7 @@ pub(super) struct Tables {
 impl Tables {
     pub(super) fn build(options: &CostOptions) -> Result<Self, CompareError> {
         let exact = EXACT_TOLERANCES.map(|tolerance| {
-            // This table is the one that the commands use.
+            // At the commands' tolerance this is the commands' table, from the same smallest gap.
             let usual = tolerance.total_cmp(&EXACT_TABLE_TOLERANCE).is_eq();
             let from = if usual {
                 EXACT_TABLE_FROM

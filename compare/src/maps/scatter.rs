@@ -77,7 +77,8 @@ pub(super) fn line(
 
 impl Maps<'_> {
     /// Passes the rows of each map to `see`, one map at a time, with `Delta` varying fastest. Writes all rows to the
-    /// file of the maps. Returns whether all are done; if the time limit left something out, the same command continues.
+    /// file of the maps. Returns whether all are done; if the time limit left something out, the same command
+    /// continues.
     ///
     /// # Errors
     /// [`CompareError::Write`] if rows cannot be kept; the errors of `see`.

@@ -1,4 +1,4 @@
-//! The command for numerically hard cases.
+//! `squirmers hard-cases`: numerically hard cases, each compared with a bound.
 
 use comfy_table::Table;
 
