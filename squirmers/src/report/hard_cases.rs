@@ -24,13 +24,13 @@ pub(super) fn section(options: &ModelOptions, out: &OutputFolder) -> Result<Sect
         prose: vec![
             "Contact, stiff forces, unstable states, long orbits and oscillations, broken symmetry, far separations, the worst panels, random gaps, and the ends of the machine's \
              numbers, files and processes: \
-             each is measured and held against a bound that follows from rounding, the tolerance or a \
+             each is measured and compared with a bound that follows from rounding, the tolerance or a \
              closed form."
                 .to_owned(),
         ],
         figures: Vec::new(),
         tables: vec![Table::from_csv(
-            "What was measured, the largest value allowed, and where that bound comes from.",
+            "The measured quantity, its largest allowed value, and the reason for this bound.",
             "hard-cases.csv",
             &csv,
         )?],
