@@ -91,7 +91,7 @@ fn lines<'a>(rows: &'a [FateRow], gravity: bool, shown: &[(&str, Share)]) -> Vec
         .collect()
 }
 
-/// Number of outcomes, the first ones, that always have a line. The others have a line only if they occur.
+/// Outcomes that always have a line. Other outcomes have a line only if they occur.
 const ALWAYS: [&str; 5] = [
     "scattered",
     "pairwise",

@@ -14,7 +14,7 @@ use compare::scene_run::SampleRow;
 /// Width of a panel, and height of the panels over time.
 const PLOT: (f64, f64) = (400.0, 250.0);
 
-/// Largest height of a panel of paths, and smallest extent of it. Scales along both axes are equal.
+/// Largest height and smallest side of a panel of paths. Scales along both axes are equal.
 const TALLEST: f64 = 560.0;
 const LEAST: f64 = 170.0;
 

@@ -36,7 +36,7 @@ struct Plot {
     curves: Vec<Curve>,
 }
 
-/// The differences between the two diagrams.
+/// The texts of a diagram.
 struct Words {
     title: &'static str,
     x_title: &'static str,

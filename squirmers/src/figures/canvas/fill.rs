@@ -76,7 +76,7 @@ pub(crate) fn whole_side(nominal: f64, cells: usize) -> f64 {
 }
 
 /// Lines at 45 degrees over a box, only over those places for which `takes` is true. Borders between places are at
-/// whole pixels, where lines begin and end.
+/// whole pixels, so lines begin and end there.
 fn hatch(
     (width, height): (f64, f64),
     rising: bool,

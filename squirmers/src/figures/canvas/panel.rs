@@ -126,7 +126,7 @@ impl Panel<'_> {
     }
 
     /// The shares of the way from `a` to `b` at which the line enters and leaves the plot (Liang and Barsky, 1984);
-    /// `None` if a coordinate is NaN.
+    /// `None` if the line is outside the plot or a coordinate is not finite.
     fn clip(&self, a: (f64, f64), b: (f64, f64)) -> Option<(f64, f64)> {
         let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
         for (from, to, range) in [(a.0, b.0, &self.x.range), (a.1, b.1, &self.y.range)] {

@@ -16,7 +16,7 @@ pub(super) enum Scale {
 /// written in the axis title instead.
 pub(super) const LONGEST: usize = 7;
 
-/// Smallest size of numbers with a common power of ten in the axis title.
+/// Numbers of at least this size have a common power of ten in the axis title.
 const LARGE: f64 = 1e6;
 
 /// Tolerance for ticks at the ends of the range, so that rounding does not drop them.
