@@ -59,7 +59,7 @@ fn method_name<'de, D: Deserializer<'de>>(from: D) -> Result<MethodName, D::Erro
 }
 
 /// One line of `head-on.csv` and `orthogonal.csv`. Angles in degrees, anticlockwise positive;
-/// lengths in radii; times in `a/V_s`, but for `seconds`. A run that failed has NaN.
+/// lengths in radii; times in `a/V_s`, except `seconds`. A run that failed has NaN.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EncounterRow {
     /// Name of the method.
@@ -67,15 +67,15 @@ pub struct EncounterRow {
     pub method: MethodName,
     /// Squirmer parameter.
     pub beta: f64,
-    /// Offset of the paths.
+    /// Offset of the paths, in radii.
     pub dx: f64,
-    /// Offset out of the plane.
+    /// Offset out of the plane, in radii.
     pub dz: f64,
     /// Deflection of squirmer 1: outgoing minus incoming angle in the x-y plane.
     pub deflection1_deg: f64,
     /// Deflection of squirmer 2: outgoing minus incoming angle in the x-y plane.
     pub deflection2_deg: f64,
-    /// Smallest gap.
+    /// Smallest gap, in radii.
     pub min_gap: f64,
     /// Interaction time: the time at gaps up to 1.
     pub tau: f64,
@@ -124,7 +124,7 @@ impl Encounter {
         }
     }
 
-    /// One line about an encounter without a result.
+    /// A message about an encounter without a result.
     #[must_use]
     pub fn failure(&self) -> Option<String> {
         let reason = self.run.as_ref().err()?;

@@ -55,13 +55,13 @@ pub enum CompareError {
     OtherSweep {
         /// The file.
         path: PathBuf,
-        /// Finished pieces in it.
+        /// Number of finished pieces in the file.
         chunks: usize,
     },
     /// A share of a sweep that can't be merged with the others.
     #[error("'{path}': {reason}")]
     Share {
-        /// Its folder or file.
+        /// The folder or file of the share.
         path: PathBuf,
         /// The reason why it cannot be merged.
         reason: String,
@@ -69,13 +69,13 @@ pub enum CompareError {
     /// Some runs failed. All other results are written.
     #[error("{failed} of the runs failed")]
     RunsFailed {
-        /// Runs that failed.
+        /// Number of failed runs.
         failed: usize,
     },
     /// Runs were left out at the time limit.
     #[error("stopped by --time-limit: {skipped} of the runs or lines are left out")]
     Stopped {
-        /// Runs, or lines of a map, that were left out.
+        /// Number of runs, or of lines of a map, that were left out.
         skipped: usize,
     },
     /// The command was interrupted in a sweep, whose finished pieces are kept.
@@ -100,7 +100,7 @@ pub enum CompareError {
         /// The system's reason.
         source: std::io::Error,
     },
-    /// Mistakes in a scene file, one a line.
+    /// Mistakes in a scene file, one per line.
     #[error("mistakes in '{path}' (line:column: key):\n{mistakes}")]
     SceneFile {
         /// The file.

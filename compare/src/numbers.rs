@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-/// Most numbers that one list may hold.
+/// Largest number of numbers in a list.
 const MOST: usize = 100_000;
 
 /// A list of finite numbers, not empty.

@@ -20,37 +20,37 @@ const FILE: &str = "run.csv";
 /// their projection on the x-y plane, in degrees, anticlockwise from the x axis, without jumps of 360 degrees.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SampleRow {
-    /// Time.
+    /// Time, in `a/V_s`.
     pub t: f64,
-    /// First centre.
+    /// x of the centre of squirmer 1, in radii.
     pub x1: f64,
-    /// First centre.
+    /// y of the centre of squirmer 1, in radii.
     pub y1: f64,
-    /// First centre.
+    /// z of the centre of squirmer 1, in radii.
     pub z1: f64,
-    /// Second centre.
+    /// x of the centre of squirmer 2, in radii.
     pub x2: f64,
-    /// Second centre.
+    /// y of the centre of squirmer 2, in radii.
     pub y2: f64,
-    /// Second centre.
+    /// z of the centre of squirmer 2, in radii.
     pub z2: f64,
-    /// First orientation.
+    /// x of the orientation of squirmer 1.
     pub px1: f64,
-    /// First orientation.
+    /// y of the orientation of squirmer 1.
     pub py1: f64,
-    /// First orientation.
+    /// z of the orientation of squirmer 1.
     pub pz1: f64,
-    /// Second orientation.
+    /// x of the orientation of squirmer 2.
     pub px2: f64,
-    /// Second orientation.
+    /// y of the orientation of squirmer 2.
     pub py2: f64,
-    /// Second orientation.
+    /// z of the orientation of squirmer 2.
     pub pz2: f64,
-    /// Angle of the first orientation.
+    /// Angle of the orientation of squirmer 1, in degrees.
     pub angle1_deg: f64,
-    /// Angle of the second orientation.
+    /// Angle of the orientation of squirmer 2, in degrees.
     pub angle2_deg: f64,
-    /// Gap.
+    /// Gap, in radii.
     pub gap: f64,
 }
 

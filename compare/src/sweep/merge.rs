@@ -284,7 +284,7 @@ mod tests {
         (merged, out.read(ROWS))
     }
 
-    /// What is said of shares that are refused; nothing is written of them.
+    /// The error message for shares that are refused. Checks that nothing is written.
     fn refusal(shares: &[tempfile::TempDir]) -> String {
         let (merged, written) = merged(shares);
         assert_eq!(written, None);

@@ -239,7 +239,7 @@ mod tests {
 
     #[test]
     fn a_sweep_reads_the_loads_of_all_its_points() {
-        // Side by side and alike the pair is its own mirror image; above one another it is not.
+        // Two equal squirmers side by side are their own mirror image; one above the other they are not.
         let alone = points(&[]).unwrap().load_set().unwrap();
         let both = points(&[("y", &[0.0, 1.0])]).unwrap().load_set().unwrap();
         assert_ne!(alone, both);
