@@ -98,7 +98,7 @@ pub(crate) enum Command {
     #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
     #[command(mut_arg("time_limit", maps::time_limit))]
     Scatter(MapArguments),
-    /// Share of each outcome against beta (Fig. 5a) and bottom-heaviness (Fig. 8g)
+    /// Share of each outcome as a function of beta (Fig. 5a) and bottom-heaviness (Fig. 8g)
     #[command(after_help = "Example:\n  squirmers fates --beta -10:10:1 --g 0 --method lt")]
     #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
     #[command(mut_arg("time_limit", maps::time_limit))]

@@ -246,7 +246,7 @@ mod tests {
         };
         assert_eq!(names(&[row("scattered", 1.0)]), ["scattered"]);
         assert_eq!(names(&[row("failed", f64::NAN)]), ["failed"]);
-        // No panel has a number, so that none has a hatch in its place.
+        // No panel has a number, so no panel has a hatch instead of one.
         let none = names(&[row("pairwise", 1.0), row("failed", f64::NAN)]);
         assert_eq!(none, ["pairwise", "failed"]);
         let both = names(&[row("pairwise", 1.0), row("scattered", 1.0)]);

@@ -98,10 +98,10 @@ fn methods(all: impl IntoIterator<Item = Method>) -> Vec<Method> {
     methods
 }
 
-/// `Head-on approach`, `Orthogonal approach`.
+/// Title of an approach in pictures.
 fn approach_title(approach: Approach) -> &'static str {
     match approach {
-        Approach::HeadOn => "Head-on approach",
-        Approach::Orthogonal => "Orthogonal approach",
+        Approach::HeadOn => "Opposed approach",
+        Approach::Orthogonal => "Approach at right angles",
     }
 }

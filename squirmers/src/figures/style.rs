@@ -17,7 +17,7 @@ pub(super) const WHITE: Colour = Colour(255, 255, 255);
 /// Text, frames and axes.
 pub(super) const INK: Colour = Colour(34, 34, 34);
 
-/// Mesh lines.
+/// Grid lines.
 pub(super) const MESH: Colour = Colour(226, 226, 226);
 
 /// Colours of Okabe & Ito (2008). Colours that are dark enough on white come first.

@@ -266,7 +266,7 @@ impl<'a> ReportMaps<'a> {
         Ok(())
     }
 
-    /// Trust against the offset out of the plane.
+    /// Trust as a function of the offset out of the plane.
     fn trust_against_offset(&self, sections: &mut Vec<Section>) -> Result<(), CommandError> {
         let title = "Trust in lubrication theory off the plane";
         let mut shares = Vec::new();

@@ -282,10 +282,10 @@ mod tests {
             (0.8, 0.1),
         ];
         assert_eq!(lines(&gap), 2);
-        // Out through a point on the frame, and in again elsewhere.
+        // The line leaves through a point on the frame and enters again elsewhere.
         let away = [(0.5, 0.5), (1.0, 0.5), (2.0, 0.5), (2.0, 0.9), (0.5, 0.9)];
         assert_eq!(lines(&away), 2);
-        // Out between two points, and in again at once.
+        // The line leaves between two points and enters again at once.
         assert_eq!(lines(&[(0.5, 0.5), (2.0, 0.5), (0.5, 0.9)]), 2);
         assert_eq!(lines(&[(0.5, -f64::MAX), (0.5, f64::MAX)]), 0);
     }
