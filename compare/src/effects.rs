@@ -85,7 +85,7 @@ impl EffectCase {
     /// A scene close to contact that needs exactly this right-hand side.
     ///
     /// # Errors
-    /// [`SceneError`] from [`scene`]; the numbers used here cause none.
+    /// [`SceneError`] if the scene is not valid; the numbers used here are valid.
     pub fn scene(&self) -> Result<Scene, SceneError> {
         let angles = match self.state {
             State::Axisymmetric => [0.0, PI],

@@ -50,7 +50,7 @@ pub enum CompareError {
     /// The command would delete the results of an interrupted command.
     #[error(
         "'{path}' keeps {chunks} finished pieces of another sweep, which was interrupted: repeat the command of that \
-        sweep, give another folder by --out, or delete the file by --fresh"
+         sweep, give another folder by --out, or delete the file by --fresh"
     )]
     OtherSweep {
         /// The file.

@@ -125,7 +125,7 @@ impl Maps<'_> {
             self.out.account().skipped(left);
             notice!(
                 "skipped: the time limit was reached before {left} of {} lines of constant Sigma; the same command \
-                continues from {}.csv.part",
+                 continues from {}.csv.part",
                 kept.pieces(),
                 self.name
             );

@@ -18,8 +18,8 @@ use compare::{Defaults, NoRun};
 /// runs.
 pub(crate) fn time_limit(arg: Arg) -> Arg {
     arg.help(
-        "Begin no further run after this time; those left out are reported (exit status 75), and the same command begins \
-         anew",
+        "Begin no further run after this time; runs that are left out are reported (exit status 75), and the same command \
+         starts from the beginning",
     )
 }
 

@@ -192,7 +192,7 @@ fn cost_in_words(model: &Model, plan: &Plan) -> String {
     match model.table() {
         Some(table) => format!(
             "{stages}, which read {} columns of a table. Building the table took {} solves of the model; its \
-            interpolation error is {}. The table is kept for other scenes that read the same loads.",
+             interpolation error is {}. The table is kept for other scenes that read the same loads.",
             plan.load_set().column_count(),
             table.evaluations,
             size(table.interpolation_error)

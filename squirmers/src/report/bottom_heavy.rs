@@ -66,7 +66,7 @@ pub(super) fn section(
         file_name: "bottom-heavy.csv".to_owned(),
         ..Table::from_rows(
             "Outcome of each panel's pair at t = 200, and its depth divided by the depth of two lone squirmers. The \
-            linked file has the trajectories.",
+             linked file has the trajectories.",
             "bottom-heavy.csv",
             &summary,
         )?

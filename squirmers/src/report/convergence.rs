@@ -12,7 +12,7 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CommandError> {
     out.write("mesh-errors.csv", &csv)?;
     let prose = format!(
         "Errors of boundary elements against the exact loads, for each level of the mesh. The default is level {}. \
-        Gaps that a level does not resolve are left out.",
+         Gaps that a level does not resolve are left out.",
         Bem::DEFAULT_LEVEL
     );
     Ok(Section {
@@ -23,7 +23,7 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CommandError> {
         figures: Vec::new(),
         tables: vec![Table::from_csv(
             "Largest error of the 22 loads of modes 1 and 2, nodes on a sphere, observed order in the \
-            node spacing, and time for all loads at one gap.",
+             node spacing, and time for all loads at one gap.",
             "mesh-errors.csv",
             &csv,
         )?],

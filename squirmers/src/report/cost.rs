@@ -32,7 +32,7 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CommandError> {
     let rows = cost::read(&csv)?;
     section.prose.push(
         "Error against the exact answer as a function of wall-clock time. Times are the smallest of several \
-        repeats after a warm-up."
+         repeats after a warm-up."
             .to_owned(),
     );
     section.prose.push(if name == "cost.csv" {
@@ -42,7 +42,7 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CommandError> {
     } else {
         out.write(name, &csv)?;
         "These are quick measurements with few levels and cases. For all levels and cases, run `squirmers cost` with the \
-        same --out on a machine that does nothing else, then repeat this command."
+         same --out on a machine that does nothing else, then repeat this command."
             .to_owned()
     });
     let found = cost::findings(&rows);
@@ -52,20 +52,20 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CommandError> {
             svg: loads_work_precision(&rows)?,
             caption:
                 "Largest error of the loads of modes 1 and 2 at four gaps, as a function of the time of one \
-                evaluation."
+                 evaluation."
                     .to_owned(),
         },
         Figure {
             svg: deflections_work_precision(&rows)?,
             caption:
                 "Error of the outgoing angles as a function of the time of a trajectory, for several tolerances of the \
-                integrator. The time to build tables is not included."
+                 integrator. The time to build tables is not included."
                     .to_owned(),
         },
     ];
     let caption = format!(
         "The cheapest method and tolerance with an error of at most {TARGET_DEG} degrees, first without the set-up of \
-        tables, then for a single trajectory with its set-up. The linked file has every measured row."
+         tables, then for a single trajectory with its set-up. The linked file has every measured row."
     );
     let recommended = cost::recommend(&rows, TARGET_DEG);
     section.tables.push(Table::from_rows(

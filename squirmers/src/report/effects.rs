@@ -44,15 +44,15 @@ pub(super) fn section(models: &[Model]) -> Result<Section, CommandError> {
         });
     }
     let caption = "One right-hand side: kind of coordinates and number of variables, effects, time measured with this \
-    page, instructions counted by callgrind, and instructions of the same arithmetic written by hand \
-    without the absent effects.";
+                   page, instructions counted by callgrind, and instructions of the same arithmetic written by hand \
+                   without the absent effects.";
     Ok(Section {
         id: "effects".to_owned(),
         title: "What each effect costs".to_owned(),
         prose: vec![
             "The plan of a scene decides what is computed: the smallest set of variables that its symmetry allows, and \
-            the effects that the scene names. The compiled equation of motion contains no other effects: no \
-            multiplication by zero, no branch, no column of a table, no solve."
+             the effects that the scene names. The compiled equation of motion contains no other effects: no \
+             multiplication by zero, no branch, no column of a table, no solve."
                 .to_owned(),
         ],
         tables: vec![Table::from_rows(caption, "effects.csv", &rows)?],

@@ -63,14 +63,14 @@ pub(super) fn section(
                 file_name: "load-errors.csv".to_owned(),
                 ..Table::from_rows(
                     "Largest error of all loads of modes 1 and 2, and the name of this load. The \
-                    linked file has every load at every gap.",
+                     linked file has every load at every gap.",
                     "load-errors.csv",
                     &worst_loads(&errors),
                 )?
             },
             Table::from_csv(
                 "Deflections by every method, their differences from the exact ones, and outcomes by \
-                lubrication theory as published / by exact hydrodynamics.",
+                 lubrication theory as published / by exact hydrodynamics.",
                 "comparison.csv",
                 &comparison_csv,
             )?,

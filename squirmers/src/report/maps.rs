@@ -176,8 +176,8 @@ impl<'a> ReportMaps<'a> {
                 "Squirmers start at (-1.5, 0) and (1.5, 0) with the angles φ1 = π(Σ - Δ)/2 and φ2 = \
                  π(Σ + Δ)/2. The outcomes are: scattered (I), at rest facing each other (II), swimming together along a \
                  line (III), orbiting anticlockwise (IV) or clockwise (V). A pair is bound if its gap and orientations reach \
-                 a fixed point that is not unstable. A pair is undecided if it has neither parted nor reached a fixed point \
-                 at t = 200."
+                 a fixed point at which no disturbance grows. A pair is undecided if it has neither parted nor reached such a \
+                 fixed point at t = 200."
                     .to_owned(),
                 bound_in_words(&shares),
             ],
@@ -202,7 +202,7 @@ impl<'a> ReportMaps<'a> {
             finding: findings::of_fates(&rows),
             prose: vec![format!(
                 "Shares of a grid of {FATES_GRID} by {FATES_GRID} incoming angles. The sampling error in the \
-                table is the error for the same number of random points."
+                 table is the error for the same number of random points."
             )],
             figures: written(pictures::of_fates(&rows)?, self.out)?,
             tables: vec![Table::from_csv("Shares of the plane.", "fates.csv", &csv)?],
@@ -232,7 +232,7 @@ impl<'a> ReportMaps<'a> {
         let shares = maps::trust_shares(&trusted);
         let table = Table::from_rows(
             "Share of the plane in each class of difference between lubrication theory and exact hydrodynamics. The \
-            linked file has every point.",
+             linked file has every point.",
             "trust.csv",
             &shares,
         )?;
@@ -248,16 +248,16 @@ impl<'a> ReportMaps<'a> {
                 Table { csv, ..table },
                 Table::from_rows(
                     "Starts from which one model gives a bound state and the other gives a different outcome, with one \
-                    example for each pair of outcomes. The column `state` says whether the other model has this bound \
-                    state: it is absent, or unstable (with its gap and its growth rate from linearised motion), or stable \
-                    but not reached from this start. If both models bind the pair, this is lubrication theory's state.",
+                     example for each pair of outcomes. The column `state` says whether the other model has this bound \
+                     state: it is absent, or unstable (with its gap and its growth rate from linearised motion), or stable \
+                     but not reached from this start. If both models bind the pair, this is lubrication theory's state.",
                     "trust-examples.csv",
                     &examples,
                 )?,
                 Table::from_csv(
                     "All stable and unstable bound states with gaps below 1. They are fixed points of the gap and of the \
-                    orientations relative to the line of centres, found by Newton's method from many starts. Mirror \
-                    images are left out.",
+                     orientations relative to the line of centres, found by Newton's method from many starts. Mirror \
+                     images are left out.",
                     "bound-states.csv",
                     &states_csv,
                 )?,
@@ -287,7 +287,7 @@ impl<'a> ReportMaps<'a> {
             finding: findings::of_trust_against_offset(&shares),
             prose: vec![
                 "Shares of the classes of difference when squirmer 1 starts at z = δz/2 and squirmer 2 at z = -δz/2, over \
-                all incoming angles of the plane."
+                 all incoming angles of the plane."
                     .to_owned(),
             ],
             figures: written(drawn, self.out)?,
@@ -340,7 +340,7 @@ fn trust_in_words(shares: &maps::TrustShares) -> String {
     let usable = shares.within_5_deg + shares.within_15_deg;
     format!(
         "β = {}, {}: both outgoing directions are within 5° of the exact ones over {} of the incoming angles, and \
-        within 15° over {}. The outcome differs over {}.",
+         within 15° over {}. The outcome differs over {}.",
         shares.beta,
         shares.method,
         percent(shares.within_5_deg),

@@ -187,7 +187,7 @@ impl Content {
             figures: written(of_encounters(approach, &encounters, Drawn::Paths)?, out)?,
             tables: vec![Table::from_csv(
                 "Deflection is the outgoing minus the incoming angle; tau is the interaction time (at gaps up \
-                to 1); seconds are the wall-clock time of the run without the table's set-up.",
+                 to 1); seconds are the wall-clock time of the run without the table's set-up.",
                 &file_name,
                 &csv,
             )?],
@@ -213,14 +213,14 @@ impl Content {
             finding: findings::of_offsets(&rows),
             prose: vec![
                 "Squirmer 1 starts at z = dz/2, squirmer 2 at z = -dz/2. The picture shows the angle \
-                between a squirmer's outgoing orientations with and without the offset."
+                 between a squirmer's outgoing orientations with and without the offset."
                     .to_owned(),
                 words::bound_in_plane(&rows),
             ],
             figures: written(of_offsets(&rows)?.into_iter().collect(), out)?,
             tables: vec![Table::from_csv(
                 "Change of the outgoing orientations. For a pair that stays bound, orientations are those at the end of \
-                the run (t = 200).",
+                 the run (t = 200).",
                 "offset.csv",
                 &csv,
             )?],

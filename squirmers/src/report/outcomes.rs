@@ -40,8 +40,8 @@ pub(super) fn section(
             title: "Outcomes (Figs 1c and 2c)".to_owned(),
             prose: vec![
                 "The first picture shows one start for each outcome of lubrication theory. The second shows neutral \
-                squirmers that slide along each other (i), turn together (ii, iii) or brush past each other (iv). The lower \
-                rows show the same starts by exact hydrodynamics. Arrows are orientations."
+                 squirmers that slide along each other (i), turn together (ii, iii) or brush past each other (iv). The lower \
+                 rows show the same starts by exact hydrodynamics. Arrows are orientations."
                     .to_owned(),
             ],
             figures,

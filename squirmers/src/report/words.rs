@@ -8,13 +8,13 @@ use compare::{Approach, OffsetRow};
 pub(super) fn lead() -> Vec<String> {
     vec![
         "When two swimming microorganisms collide, how far can lubrication theory be trusted, and \
-        what does a better answer cost? Two spherical squirmers of radius a meet in a Stokes fluid. \
-        Each encounter is computed by lubrication theory, which acts only at gaps up to one radius, \
-        and by full hydrodynamics."
+         what does a better answer cost? Two spherical squirmers of radius a meet in a Stokes fluid. \
+         Each encounter is computed by lubrication theory, which acts only at gaps up to one radius, \
+         and by full hydrodynamics."
             .to_owned(),
         "Lengths are in radii a, times in a/V_s (V_s is the swimming speed), angles in degrees, anticlockwise \
-        positive. The squirmer parameter is β = B2/B1: pushers have β < 0, pullers β > 0. The cases are those of \
-        Darveniza, Ishikawa, Pedley & Brumley, Pairwise scattering and bound states of spherical microorganisms (2022)."
+         positive. The squirmer parameter is β = B2/B1: pushers have β < 0, pullers β > 0. The cases are those of \
+         Darveniza, Ishikawa, Pedley & Brumley, Pairwise scattering and bound states of spherical microorganisms (2022)."
             .to_owned(),
     ]
 }
@@ -50,7 +50,7 @@ pub(super) fn bound_in_plane(rows: &[OffsetRow]) -> String {
     } else {
         format!(
             "Without an offset these pairs stay bound, and the change is that of the orientation at the \
-            end of the run: {}.",
+             end of the run: {}.",
             bound.join("; ")
         )
     }
@@ -63,7 +63,7 @@ pub(super) fn encounters(approach: Approach) -> (&'static str, String) {
             "Opposed approach (Fig. 6)",
             format!(
                 "Squirmers with opposed velocities start at (-δx/2, 5) and (δx/2, -5). In lubrication \
-                theory pairs with δx > {} do not interact.",
+                 theory pairs with δx > {} do not interact.",
                 2.0 + lt::CUTOFF
             ),
         ),
@@ -81,23 +81,23 @@ pub(super) fn caption(file_name: &str) -> &'static str {
         "Share of starts that end in a drifting orbit, as a function of the bottom-heaviness."
     } else if file_name.contains("bottom-heavy") {
         "Paths under gravity, which acts along -y, from (-1.5, 0) and (1.5, 0). Each pair has a window of its own. The \
-        paper gives G and β of (a), (b) and (c), β of (d), and the initial angles of (e) and (f). The other values are \
-        round numbers chosen here, which give the behaviour that the paper describes."
+         paper gives G and β of (a), (b) and (c), β of (d), and the initial angles of (e) and (f). The other values are \
+         round numbers chosen here, which give the behaviour that the paper describes."
     } else if file_name.contains("load-errors") {
         "Error of each load against the exact load. At gaps above 1 lubrication theory has the loads \
-        of lone squirmers."
+         of lone squirmers."
     } else if file_name.contains("trajectories") {
         "Paths of both squirmers (solid: squirmer 1, dashed: squirmer 2), with dots at equal times, and the \
-        spheres to scale at closest approach. Paths by lubrication theory end with a straight flight; \
-        the others end at a distance of the centres of 12."
+         spheres to scale at closest approach. Paths by lubrication theory end with a straight flight; \
+         the others end at a distance of the centres of 12."
     } else if file_name.contains("outcomes") {
         "Upper row: one start for each outcome of lubrication theory. Lower row: the same starts by exact \
-        hydrodynamics."
+         hydrodynamics."
     } else if file_name.contains("examples") {
         "Neutral squirmers from four starts, by lubrication theory (upper row) and by exact hydrodynamics (lower row)."
     } else if file_name.contains("scatter") {
         "Deflections (for a bound pair: change of orientation up to the end of the run), interaction time τ (at \
-        gaps up to 1), and outcome."
+         gaps up to 1), and outcome."
     } else if file_name.contains("fates") {
         "Share of each outcome."
     } else if file_name.contains("trust-dz") {

@@ -147,18 +147,18 @@ pub(in crate::report) fn of_states(states: &[BoundRow]) -> String {
         })
         .collect();
     let mut text = if stable.is_empty() {
-        "No bound state is stable.".to_owned()
+        "No bound state is an attractor.".to_owned()
     } else {
         format!(
-            "Bound states that are stable to every small disturbance in the plane: {}. All others in the table are \
-            saddles, or neutral.",
+            "Bound states in which every small disturbance in the plane decays: {}. All others in the table are \
+             saddles, or neutral.",
             stable.join("; ")
         )
     };
     if let Some(line) = states.iter().find(|state| state.one_of_a_line) {
         text += &format!(
             " Besides, {} has a line of neutral states: any two parallel squirmers side by side at a gap of {}. This gap is \
-            the cut of the theory, where the loads become those of lone squirmers. Pullers swim together in these states.",
+             the cut of the theory, where the loads become those of lone squirmers. Pullers swim together in these states.",
             called(&line.method),
             number((line.gap * 1e6).round() / 1e6)
         );
@@ -203,7 +203,7 @@ pub(in crate::report) fn of_gravity(rows: &[PanelRow], orbits: &[FateRow]) -> St
         let otherwise = (lt.iter().zip(&exact)).filter(|(a, b)| a.outcome != b.outcome);
         text += &format!(
             "Under gravity {} of the {} panels of Fig. 8 have another outcome by exact hydrodynamics than by lubrication \
-            theory. ",
+             theory. ",
             otherwise.count(),
             lt.len()
         );
