@@ -1,4 +1,4 @@
-//! Account of the runs of a command: the exit status follows from it.
+//! Counts the runs of a command and those without a result. The exit status follows from these counts.
 
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
@@ -6,7 +6,7 @@ use scene::Run;
 
 use crate::{CompareError, NoRun};
 
-/// Runs, or lines of a map, and those without a result.
+/// Number of runs, or of lines of a map, and number of those without a result.
 #[derive(Debug, Default)]
 pub struct Account {
     failed: AtomicUsize,
@@ -16,17 +16,17 @@ pub struct Account {
 }
 
 impl Account {
-    /// So many runs failed.
+    /// Adds runs that failed.
     pub fn failed(&self, runs: usize) {
         self.failed.fetch_add(runs, Relaxed);
     }
 
-    /// So many runs, or lines of a map, were left out at the time limit.
+    /// Adds runs, or lines of a map, that the time limit left out.
     pub fn skipped(&self, runs: usize) {
         self.skipped.fetch_add(runs, Relaxed);
     }
 
-    /// The runs among these that have no result; whether the time limit has left some out.
+    /// Adds the runs among these that have no result. Returns whether the time limit left some out.
     pub fn enter<'a>(&self, runs: impl Iterator<Item = &'a Result<Run, NoRun>>) -> bool {
         let (mut failed, mut skipped) = (0, 0);
         for none in runs.filter_map(|run| run.as_ref().err()) {
@@ -40,7 +40,7 @@ impl Account {
         skipped > 0
     }
 
-    /// Enters bounds: for each whether it holds. How many of them are broken.
+    /// Adds bounds: for each whether it holds. Returns how many are broken.
     pub fn bounds(&self, holds: impl Iterator<Item = bool>) -> usize {
         let (mut bounds, mut broken) = (0, 0);
         for holds in holds {
@@ -52,16 +52,16 @@ impl Account {
         broken
     }
 
-    /// Whether the time limit has left something out.
+    /// Whether the time limit left something out.
     pub fn stopped(&self) -> bool {
         self.skipped.load(Relaxed) > 0
     }
 
-    /// What the command comes to when everything is written.
+    /// The result of the command, after everything is written.
     ///
     /// # Errors
-    /// [`CompareError::Stopped`] if the time limit has left something out, else [`CompareError::RunsFailed`] if
-    /// something failed, else [`CompareError::BoundsBroken`] if bounds are broken.
+    /// [`CompareError::Stopped`] if the time limit left something out, else [`CompareError::RunsFailed`] if a run
+    /// failed, else [`CompareError::BoundsBroken`] if bounds are broken.
     pub fn verdict(&self) -> Result<(), CompareError> {
         if self.stopped() {
             let skipped = self.skipped.load(Relaxed);

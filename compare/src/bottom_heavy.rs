@@ -1,5 +1,5 @@
-//! Bottom-heavy squirmers under gravity (the paper's Fig. 8a-f): their trajectories, and how far
-//! down a bound pair goes compared with its members alone.
+//! Bottom-heavy squirmers under gravity (the paper's Fig. 8a-f): their trajectories, and how far down a bound pair
+//! swims compared with two lone squirmers.
 
 use rayon::prelude::*;
 use scene::{Configuration, Run, RunOptions, Sample, Scene, SceneError};
@@ -13,21 +13,21 @@ use crate::{Method, Model, NoRun};
 /// Time between the rows of a trajectory, in `a/V_s`.
 const SAMPLE_INTERVAL: f64 = 0.2;
 
-/// One panel: a pair and the directions in which it starts.
+/// One panel: a pair and its initial directions.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PanelCase {
     /// Letter of the panel.
     pub panel: String,
-    /// Squirmer parameter of both.
+    /// Squirmer parameter of both squirmers.
     pub beta: f64,
-    /// Bottom-heaviness of both.
+    /// Bottom-heaviness of both squirmers.
     pub g: f64,
     /// Difference of the initial angles, `(phi2 - phi1)/pi`.
     pub delta: f64,
     /// Sum of the initial angles, `(phi2 + phi1)/pi`.
     pub sigma: f64,
-    /// Time up to which the motion is shown, in `a/V_s`.
+    /// End of the time that the panel shows, in `a/V_s`.
     pub until: f64,
 }
 
@@ -42,19 +42,19 @@ impl PanelCase {
     }
 }
 
-/// A panel run by one method.
+/// One panel by one method.
 #[derive(Clone, Debug)]
 pub struct PanelRun {
     /// The panel.
     pub case: PanelCase,
     /// The method.
     pub method: Method,
-    /// The run to its end, with samples, or the one line that says why there is none.
+    /// The whole run with its samples, or the reason why there is no run.
     pub run: Result<Run, NoRun>,
 }
 
-/// One line of `bottom-heavy.csv`: lengths in radii, time in `a/V_s`, angles anticlockwise from the x
-/// axis, which wind.
+/// One line of `bottom-heavy.csv`: lengths in radii, time in `a/V_s`, angles anticlockwise from the x axis, without
+/// jumps of a full turn.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(missing_docs, reason = "the columns' names say it")]
 pub struct TrajectoryRow {
@@ -70,7 +70,7 @@ pub struct TrajectoryRow {
     pub gap: f64,
 }
 
-/// One line of the summary: what became of a panel's pair by the end of the run.
+/// One line of the summary: the state of a panel's pair at the end of the run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PanelRow {
     /// Letter of the panel.
@@ -81,15 +81,15 @@ pub struct PanelRow {
     pub beta: f64,
     /// Bottom-heaviness.
     pub g: f64,
-    /// Difference of the initial angles over pi.
+    /// Difference of the initial angles, divided by pi.
     pub delta: f64,
-    /// Sum of the initial angles over pi.
+    /// Sum of the initial angles, divided by pi.
     pub sigma: f64,
     /// Outcome at the end of the run, `failed` or `skipped`.
     pub outcome: String,
     /// Smallest gap, in radii.
     pub min_gap: f64,
-    /// How much further down than alone the two go, [`depth_ratio`]; NaN where alone they would not.
+    /// Depth of the pair compared with two lone squirmers, see [`depth_ratio`]; NaN if lone squirmers do not sink.
     pub depth_ratio: f64,
 }
 
@@ -100,7 +100,7 @@ impl PanelRun {
         samples.iter().filter(|s| s.t <= self.case.until)
     }
 
-    /// The rows of the part of the trajectory that the panel shows.
+    /// The rows of the trajectory that the panel shows.
     pub fn trajectory(&self) -> impl Iterator<Item = TrajectoryRow> {
         self.shown().map(|Sample { t, configuration }| {
             let [one, two] = configuration.positions();
@@ -149,7 +149,7 @@ impl PanelRun {
     }
 }
 
-/// Every panel by every method: methods outermost, panels in their order.
+/// Runs every panel by every method. Methods are the outer loop.
 #[must_use]
 pub fn panel_runs(
     models: &[&Model],
@@ -185,12 +185,12 @@ pub fn panel_runs(
         .collect()
 }
 
-/// How many times further down the two squirmers of a run go than they would alone: the sum of their
-/// greatest depths below the starting points, from the samples, over the same sum of lone squirmers with
-/// the bottom-heaviness `g`. NaN if alone neither would go down.
+/// Ratio of two sums of depths: the greatest depths of the two squirmers of a run below their starting points, from
+/// the samples, divided by those of two lone squirmers with the bottom-heaviness `g`. NaN if neither lone squirmer
+/// sinks.
 ///
-/// A lone squirmer at the angle `theta` from up turns with `-k sin(theta)`, `k = G/(8 pi)`, while it rises
-/// with `cos(theta)`; from `theta > pi/2` it sinks by `-ln(sin theta)/k` before it rises.
+/// A lone squirmer at the angle `theta` to the upward direction turns at the rate `-k sin(theta)`, `k = G/(8 pi)`,
+/// and rises with the speed `cos(theta)`. From `theta > pi/2` it sinks by `-ln(sin theta)/k` before it rises.
 #[must_use]
 pub fn depth_ratio(run: &Run, g: f64) -> f64 {
     let rate = g / (8.0 * std::f64::consts::PI);

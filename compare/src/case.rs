@@ -8,9 +8,10 @@ use scene::{Orientation, Pose, Repulsion, Scene, SceneError, Squirmer};
 /// How two squirmers approach each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Approach {
-    /// Opposed velocities (Fig. 6): from `(-dx/2, 5)` downwards and `(dx/2, -5)` upwards.
+    /// Opposed velocities (Fig. 6): squirmer 1 starts at `(-dx/2, 5)` downwards, squirmer 2 at `(dx/2, -5)` upwards.
     HeadOn,
-    /// Velocities at right angles (Fig. 7): from `(0, 10)` along x and `(10 - dx, 0)` along y.
+    /// Velocities at right angles (Fig. 7): squirmer 1 starts at `(0, 10)` along x, squirmer 2 at `(10 - dx, 0)`
+    /// along y.
     Orthogonal,
 }
 
@@ -26,13 +27,13 @@ impl fmt::Display for Approach {
 /// One encounter of two equal squirmers without gravity, with the paper's repulsion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Case {
-    /// How they approach.
+    /// The directions of approach.
     pub approach: Approach,
-    /// Squirmer parameter `B_2/B_1` of both.
+    /// Squirmer parameter `beta = B_2/B_1` of both squirmers.
     pub beta: f64,
     /// Offset of their paths, in radii.
     pub dx: f64,
-    /// Offset out of the plane, in radii: the first starts raised by `dz/2`, the second lowered.
+    /// Offset out of the plane, in radii: squirmer 1 starts at `z = dz/2`, squirmer 2 at `z = -dz/2`.
     pub dz: f64,
 }
 
@@ -40,7 +41,7 @@ impl Case {
     /// The scene of this encounter.
     ///
     /// # Errors
-    /// [`SceneError`] for numbers that are not finite or spheres that overlap.
+    /// [`SceneError`] for numbers that are not finite, and for spheres that overlap.
     pub fn scene(&self) -> Result<Scene, SceneError> {
         let squirmer = Squirmer::with_beta(1.0, self.beta)?;
         let pose = |x: f64, y: f64, z: f64, angle: f64| Pose {

@@ -1,11 +1,11 @@
-//! The paper's cases, embedded in the program: what commands run when nothing is said.
+//! The paper's cases, embedded in the program. Commands run them by default.
 
 use serde::Deserialize;
 
 use crate::bottom_heavy::PanelCase;
 use crate::{Approach, Case, CompareError};
 
-/// The lists of one approach.
+/// The values that are combined for one approach.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct EncounterDefaults {
@@ -17,7 +17,7 @@ pub struct EncounterDefaults {
     pub dz: Vec<f64>,
 }
 
-/// The cases of the offset sensitivity; pairs are `(beta, dx)`.
+/// The cases with an offset out of the plane; pairs are `(beta, dx)`.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct OffsetDefaults {
@@ -28,7 +28,7 @@ pub struct OffsetDefaults {
 }
 
 impl OffsetDefaults {
-    /// The cases, in the plane.
+    /// The cases without an offset out of the plane.
     #[must_use]
     pub fn cases(&self) -> Vec<Case> {
         let of = |approach, pairs: &[(f64, f64)]| {
@@ -74,7 +74,7 @@ impl Defaults {
         Ok(toml::from_str(fixtures::CASES)?)
     }
 
-    /// The lists of `approach`.
+    /// The values for `approach`.
     #[must_use]
     pub fn encounters(&self, approach: Approach) -> &EncounterDefaults {
         match approach {

@@ -1,5 +1,5 @@
-//! What each effect costs: the right-hand sides of every subset of effects that a scene of the paper, or
-//! one with swirl, can call for.
+//! What each effect costs: the time of a right-hand side for every set of effects that a scene of the paper, or a
+//! scene with swirl, can need.
 
 use std::f64::consts::PI;
 
@@ -8,20 +8,20 @@ use serde::{Deserialize, Serialize};
 
 use crate::{CompareError, Method, Model};
 
-/// A right-hand side: state, effects, highest squirming mode, model.
+/// A right-hand side: its variables, effects, highest squirming mode and model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EffectCase {
     /// Variables of the motion.
     pub state: State,
     /// Whether there is repulsion.
     pub repulsion: bool,
-    /// Whether there is gravity, and squirmers that it turns.
+    /// Whether there is gravity that turns the squirmers.
     pub gravity: bool,
-    /// Whether there is swirl, of two modes.
+    /// Whether there is swirl (two modes).
     pub swirl: bool,
     /// Highest squirming mode.
     pub modes: usize,
-    /// Hydrodynamics.
+    /// Hydrodynamic model.
     pub method: Method,
 }
 
@@ -37,7 +37,7 @@ const fn case(state: State, effects: (bool, bool, bool)) -> EffectCase {
     }
 }
 
-/// Every subset of effects that a scene of the paper, or one with swirl, can call for.
+/// Every set of effects that a scene of the paper, or a scene with swirl, can need.
 pub const EFFECT_CASES: [EffectCase; 22] = [
     case(State::Axisymmetric, (false, false, false)),
     case(State::Axisymmetric, (true, false, false)),
@@ -82,10 +82,10 @@ pub const EFFECT_CASES: [EffectCase; 22] = [
 ];
 
 impl EffectCase {
-    /// A scene close to contact that calls for just this.
+    /// A scene close to contact that needs exactly this right-hand side.
     ///
     /// # Errors
-    /// None that its numbers could cause.
+    /// [`SceneError`] if the scene is not valid; the numbers used here are valid.
     pub fn scene(&self) -> Result<Scene, SceneError> {
         let angles = match self.state {
             State::Axisymmetric => [0.0, PI],
@@ -116,7 +116,7 @@ impl EffectCase {
         Scene::new([squirmer; 2], start, repulsion, gravity)
     }
 
-    /// Seconds of one right-hand side, the smallest of a few repeats, as the plan of the scene has it.
+    /// Seconds of one right-hand side of the scene's plan: the smallest of a few repeats.
     ///
     /// # Errors
     /// [`SceneError`] if the model cannot give the loads.
@@ -126,13 +126,13 @@ impl EffectCase {
     }
 }
 
-/// Instructions of a right-hand side as `cargo bench -p squirmers-compare --bench instructions` counted them; a line
-/// of `fixtures/instructions.csv`.
+/// One line of `fixtures/instructions.csv`: the instructions of a right-hand side, as counted by
+/// `cargo bench -p squirmers-compare --bench instructions`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct InstructionRow {
     /// Variables of the motion.
     pub state: String,
-    /// Hydrodynamics.
+    /// Hydrodynamic model.
     pub model: String,
     /// Highest squirming mode.
     pub squirming_modes: usize,
@@ -144,15 +144,14 @@ pub struct InstructionRow {
     pub swirl: bool,
     /// Instructions of a right-hand side.
     pub instructions: f64,
-    /// Instructions of the same arithmetic written without the absent effects; NaN where that was not
-    /// counted.
+    /// Instructions of the same arithmetic, written by hand without the absent effects; NaN if not counted.
     pub without_absent_effects: f64,
 }
 
-/// The counts that were taken last.
+/// The latest counts.
 ///
 /// # Errors
-/// [`CompareError::Rows`] if the embedded file is no such table.
+/// [`CompareError::Rows`] if the embedded file is not a table of counts.
 pub fn counted_instructions() -> Result<Vec<InstructionRow>, CompareError> {
     let file = fixtures::INSTRUCTIONS;
     let mut reader = (csv::ReaderBuilder::new().comment(Some(b'#'))).from_reader(file.as_bytes());

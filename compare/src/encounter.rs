@@ -1,4 +1,4 @@
-//! Encounters run by each method: one row of numbers each, and the trajectories behind them.
+//! Encounters as each method computes them: one row of numbers per run, and its trajectory.
 
 use scene::{Outcome, Run};
 use serde::de::Error;
@@ -7,32 +7,32 @@ use serde::{Deserialize, Deserializer, Serialize};
 use crate::numbers::written;
 use crate::{Case, Method};
 
-/// An encounter that was run, or tried.
+/// One encounter by one method: its run, or the reason why it has none.
 #[derive(Clone, Debug)]
 pub struct Encounter {
     /// The case.
     pub case: Case,
     /// The method.
     pub method: Method,
-    /// The run with its samples, or the one line that says why there is none.
+    /// The run with its samples, or the reason why there is no run.
     pub run: Result<Run, NoRun>,
-    /// Wall-clock time of the run alone, without building tables, in seconds.
+    /// Wall-clock time of the run in seconds, without the time to build tables.
     pub seconds: f64,
 }
 
-/// Why there is no run.
+/// The reason why there is no run.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoRun {
-    /// It was not begun.
+    /// The run was not started.
     #[error("skipped: the time limit was reached")]
     Skipped,
-    /// It failed, for the reason given in one line.
+    /// The run failed; the reason in one line.
     #[error("{0}")]
     Failed(String),
 }
 
 impl NoRun {
-    /// What stands in the column of outcomes.
+    /// The word in the column `outcome`.
     #[must_use]
     pub fn outcome(&self) -> &'static str {
         match self {
@@ -42,13 +42,13 @@ impl NoRun {
     }
 }
 
-/// Outcome of a run that was not begun.
+/// Outcome of a run that was not started.
 pub const SKIPPED: &str = "skipped";
 
 /// Outcome of a run that failed.
 pub const FAILED: &str = "failed";
 
-/// Name of a method. An alias, since serde would borrow a field of type `&str` from what it reads.
+/// Name of a method. The alias is needed because serde borrows a field of type `&str` from its input.
 type MethodName = &'static str;
 
 fn method_name<'de, D: Deserializer<'de>>(from: D) -> Result<MethodName, D::Error> {
@@ -59,7 +59,7 @@ fn method_name<'de, D: Deserializer<'de>>(from: D) -> Result<MethodName, D::Erro
 }
 
 /// One line of `head-on.csv` and `orthogonal.csv`. Angles in degrees, anticlockwise positive;
-/// lengths in radii; times in `a/V_s`, but for `seconds`. A run that failed has NaN.
+/// lengths in radii; times in `a/V_s`, except `seconds`. A run that failed has NaN.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EncounterRow {
     /// Name of the method.
@@ -67,27 +67,27 @@ pub struct EncounterRow {
     pub method: MethodName,
     /// Squirmer parameter.
     pub beta: f64,
-    /// Offset of the paths.
+    /// Offset of the paths, in radii.
     pub dx: f64,
-    /// Offset out of the plane.
+    /// Offset out of the plane, in radii.
     pub dz: f64,
-    /// Outgoing minus incoming angle of the first squirmer, in the x-y plane.
+    /// Deflection of squirmer 1: outgoing minus incoming angle in the x-y plane.
     pub deflection1_deg: f64,
-    /// The same of the second squirmer.
+    /// Deflection of squirmer 2: outgoing minus incoming angle in the x-y plane.
     pub deflection2_deg: f64,
-    /// Smallest gap.
+    /// Smallest gap, in radii.
     pub min_gap: f64,
-    /// Time spent at gaps up to 1 (the paper's tau).
+    /// Interaction time: the time at gaps up to 1.
     pub tau: f64,
-    /// Outcome, `failed`, or `skipped` where the time limit came first.
+    /// Outcome; `failed` for a run that failed; `skipped` for a run that the time limit left out.
     pub outcome: String,
     /// Accepted steps of the integrator.
     pub steps: u64,
-    /// Loads asked of the model.
+    /// Number of times that the model computed its loads.
     pub loads: u64,
-    /// Wall-clock time.
+    /// Wall-clock time of the run, in seconds.
     pub seconds: f64,
-    /// Estimate of how far the deflections are from their limit at infinity; 0 where nothing is cut off.
+    /// Estimated difference of the deflections from their limit at infinity; 0 if the run needs no such limit.
     pub truncation_deg: f64,
 }
 
@@ -124,7 +124,7 @@ impl Encounter {
         }
     }
 
-    /// One line about an encounter without a result.
+    /// A message about an encounter without a result.
     #[must_use]
     pub fn failure(&self) -> Option<String> {
         let reason = self.run.as_ref().err()?;
@@ -143,16 +143,16 @@ impl Encounter {
         ))
     }
 
-    /// Whether the pair parted, so that its outgoing angles mean something.
+    /// Whether the pair parted. Only then are its outgoing angles meaningful.
     #[must_use]
     pub fn scattered(&self) -> bool {
         (self.run.as_ref()).is_ok_and(|run| run.outcome == Outcome::Scattered)
     }
 }
 
-/// One line of `offset.csv`: change of the outgoing orientation by an offset out of the plane, the
-/// angle between the outgoing orientations with and without it, in degrees. Outgoing is at infinity where the pair
-/// parts, at the end of the run where it is bound.
+/// One line of `offset.csv`: how much an offset out of the plane changes the outgoing orientations. The change is
+/// the angle between the outgoing orientations with and without the offset, in degrees. Outgoing orientations are
+/// those at infinity if the pair parts, and those at the end of the run if it stays bound.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct OffsetRow {
     /// Name of the approach.
@@ -174,6 +174,6 @@ pub struct OffsetRow {
     pub min_gap: f64,
     /// Outcome with the offset, `failed` or `skipped`.
     pub outcome: String,
-    /// Outcome without it.
+    /// Outcome without the offset.
     pub outcome_in_plane: String,
 }

@@ -1,23 +1,23 @@
-//! What can go wrong in comparing, and which of it is the user's to mend.
+//! The errors of this crate, and which of them the user can correct.
 
 use std::path::PathBuf;
 
 use scene::SceneError;
 
-/// Kinds of failures: who can mend them, and how.
+/// Kinds of failures: who can correct them, and how.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FailureKind {
     /// Bad input, or a place that can't be written to.
     Input,
     /// The computation failed, or broke a bound.
     Computation,
-    /// The time limit stopped it; the same again goes on.
+    /// The time limit stopped the command. The same command continues it.
     Stopped,
-    /// An interrupt stopped it; the same again goes on.
+    /// An interrupt stopped the command. The same command continues it.
     Interrupted,
 }
 
-/// Everything that a command can refuse or fail at, each one line.
+/// Everything that can make a command fail, with its message.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CompareError {
@@ -26,9 +26,9 @@ pub enum CompareError {
     Input {
         /// The option.
         what: &'static str,
-        /// What was given.
+        /// The value that was given.
         value: String,
-        /// What is allowed.
+        /// The values that are allowed.
         allowed: String,
     },
     /// The output folder or a file in it cannot be written.
@@ -47,49 +47,49 @@ pub enum CompareError {
         /// The folder.
         path: PathBuf,
     },
-    /// What an interrupted command has left would be lost.
+    /// The command would delete the results of an interrupted command.
     #[error(
-        "'{path}' keeps {chunks} finished pieces of another sweep, interrupted: go on with its own command, give \
-         another folder by --out, or throw it away by --fresh"
+        "'{path}' keeps {chunks} finished pieces of another sweep, which was interrupted: repeat the command of that \
+         sweep, give another folder by --out, or delete the file by --fresh"
     )]
     OtherSweep {
         /// The file.
         path: PathBuf,
-        /// Finished pieces in it.
+        /// Number of finished pieces in the file.
         chunks: usize,
     },
     /// A share of a sweep that can't be merged with the others.
     #[error("'{path}': {reason}")]
     Share {
-        /// Its folder or file.
+        /// The folder or file of the share.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The reason why it cannot be merged.
         reason: String,
     },
-    /// Runs without a result; everything else is written.
+    /// Some runs failed. All other results are written.
     #[error("{failed} of the runs failed")]
     RunsFailed {
-        /// Runs that failed.
+        /// Number of failed runs.
         failed: usize,
     },
     /// Runs were left out at the time limit.
     #[error("stopped by --time-limit: {skipped} of the runs or lines are left out")]
     Stopped {
-        /// Runs, or lines of a map, that were left out.
+        /// Number of runs, or of lines of a map, that were left out.
         skipped: usize,
     },
     /// The command was interrupted in a sweep, whose finished pieces are kept.
     #[error(
-        "interrupted: {left} of {chunks} {what} are left; the same command goes on from '{path}'"
+        "interrupted: {left} of {chunks} {what} are left; the same command continues from '{path}'"
     )]
     Interrupted {
-        /// Pieces that are left.
+        /// Number of pieces that are not finished.
         left: usize,
-        /// Pieces in all.
+        /// Number of all pieces.
         chunks: usize,
-        /// What the pieces are.
+        /// Name of the pieces.
         what: &'static str,
-        /// The file that keeps those finished.
+        /// The file that keeps the finished pieces.
         path: PathBuf,
     },
     /// A scene file cannot be read.
@@ -100,7 +100,7 @@ pub enum CompareError {
         /// The system's reason.
         source: std::io::Error,
     },
-    /// Mistakes in a scene file, one a line.
+    /// Mistakes in a scene file, one per line.
     #[error("mistakes in '{path}' (line:column: key):\n{mistakes}")]
     SceneFile {
         /// The file.
@@ -108,8 +108,8 @@ pub enum CompareError {
         /// The mistakes.
         mistakes: crate::Mistakes,
     },
-    /// A point of a family that is no scene.
-    #[error("a point of the family is no scene (line:column: key):\n{0}")]
+    /// A point of a family whose scene is not valid.
+    #[error("a point of the family is not a valid scene (line:column: key):\n{0}")]
     FamilyPoint(crate::Mistakes),
     /// A summary could not be turned into text.
     #[error("summary cannot be written: {0}")]
@@ -126,12 +126,12 @@ pub enum CompareError {
     /// The embedded cases do not parse.
     #[error("embedded cases: {0}")]
     Cases(#[from] toml::de::Error),
-    /// Hard cases that do not keep their bounds.
+    /// Some hard cases break their bounds.
     #[error("{broken} of {bounds} bounds are broken")]
     BoundsBroken {
-        /// Bounds broken.
+        /// Number of broken bounds.
         broken: usize,
-        /// Bounds in all.
+        /// Number of all bounds.
         bounds: usize,
     },
 }
@@ -147,7 +147,7 @@ impl CompareError {
         }
     }
 
-    /// What kind of failure it is.
+    /// The kind of this failure.
     #[must_use]
     pub fn kind(&self) -> FailureKind {
         match self {

@@ -1,5 +1,5 @@
-//! Sweeps of encounters, of any size: rows go to a part file as they come and are the final file's when all are
-//! done. Memory holds the runs that a picture shows, and no others.
+//! Sweeps of encounters, of any size. Each row goes to a part file as soon as it is computed; the final file is
+//! written when all rows are computed. Memory holds only the runs that a picture shows.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
@@ -10,14 +10,14 @@ use crate::output::{OutputFolder, csv_header, csv_lines};
 use crate::sweep::{self, Computed, Done, Row, Sweep, SweepOptions};
 use crate::{Case, CompareError, Encounter, EncounterRow, Model, OffsetRow};
 
-/// Most runs of a sweep.
+/// Largest number of runs of a sweep.
 pub const MOST_RUNS: usize = 4_000_000;
 
-/// Paths up to which a panel shows trajectories, and runs up to which a picture does.
+/// Largest number of paths in a panel of trajectories, and largest number of runs in a picture of trajectories.
 const MOST_PATHS: usize = 30;
 const MOST_DRAWN: usize = 120;
 
-/// Runs up to which a picture shows deflections.
+/// Largest number of runs in a picture of deflections.
 const MOST_POINTS: usize = 2000;
 
 impl Row for EncounterRow {
@@ -32,33 +32,33 @@ impl Row for OffsetRow {
     }
 }
 
-/// A sweep, from its cases to its files.
+/// A sweep of encounters: its cases and models, and where its rows are written.
 pub struct KeptRows<'a> {
-    /// Name of its file, without the ending.
+    /// Name of the file of its rows, without the ending.
     pub name: &'a str,
     /// The models.
     pub models: &'a [Model],
     /// Its cases, in order.
     pub cases: &'a [Case],
-    /// How each run is made, and for how long.
+    /// Options of each run, and the time limit.
     pub options: &'a SweepOptions,
-    /// Where rows are kept.
+    /// The folder for the rows.
     pub out: &'a OutputFolder,
 }
 
-/// Which pictures of a sweep are drawn.
+/// The pictures of a sweep that are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Drawn {
     /// Trajectories and deflections.
     Paths,
     /// Deflections.
     Points,
-    /// Neither.
+    /// No pictures.
     Nothing,
 }
 
 impl Drawn {
-    /// What a command that has no trajectories to draw shows of so many runs.
+    /// The pictures of so many runs, for a command that draws no trajectories.
     pub fn without_paths(runs: usize) -> Self {
         if runs > MOST_POINTS {
             Self::Nothing
@@ -67,7 +67,7 @@ impl Drawn {
         }
     }
 
-    /// What can be told apart in a picture of so many runs, so many of them in a panel.
+    /// The pictures in which a reader can distinguish so many runs, with so many of them in a panel.
     fn of(runs: usize, panel: usize) -> Self {
         if runs > MOST_POINTS {
             Self::Nothing
@@ -80,14 +80,14 @@ impl Drawn {
 }
 
 impl KeptRows<'_> {
-    /// Which pictures of the encounters are drawn: panels are those of a model and a beta.
+    /// The pictures of the encounters that are drawn. Each panel shows one model and one beta.
     pub fn drawn(&self) -> Drawn {
         let same = |a: &Case, b: &Case| a.beta.total_cmp(&b.beta).is_eq();
         let panel = self.cases.chunk_by(same).map(<[Case]>::len).max();
         Drawn::of(self.models.len() * self.cases.len(), panel.unwrap_or(0))
     }
 
-    /// All that the rows depend on, in one line.
+    /// Everything that the rows depend on, in one line.
     fn key(&self, size: usize) -> String {
         let models: Vec<_> = (self.models.iter())
             .map(|model| format!("{} ({})", model.method(), model.fingerprint()))
@@ -131,7 +131,7 @@ impl KeptRows<'_> {
         }
     }
 
-    /// Makes sure that [`Self::encounters`] loses no rows of another sweep.
+    /// Checks that [`Self::encounters`] would not delete rows of another sweep.
     ///
     /// # Errors
     /// As [`Sweep::check`].
@@ -139,7 +139,7 @@ impl KeptRows<'_> {
         self.sweep(self.models.len() * self.cases.len()).check()
     }
 
-    /// Makes sure that [`Self::offsets`] loses no rows of another sweep.
+    /// Checks that [`Self::offsets`] would not delete rows of another sweep.
     ///
     /// # Errors
     /// As [`Sweep::check`].
@@ -148,8 +148,7 @@ impl KeptRows<'_> {
         self.sweep(self.models.len() * cases).check()
     }
 
-    /// Every case by every method; `see` is handed each row in its order, and the encounters to draw are
-    /// returned.
+    /// Runs every case by every method. Passes each row to `see`, in order, and returns the encounters to draw.
     ///
     /// # Errors
     /// As [`Sweep::run`] and [`Kept::write`](crate::sweep::Kept::write).
@@ -202,13 +201,13 @@ impl KeptRows<'_> {
             return Ok(Vec::new());
         }
         let mut kept = (drawn_runs.into_inner()).unwrap_or_else(PoisonError::into_inner);
-        // Of runs that an interrupted command has done, rows are kept and paths are not.
+        // An interrupted command keeps the rows of its runs, but not their paths: these runs are repeated.
         Ok((0..runs)
             .map(|number| kept.remove(&number).unwrap_or_else(|| run(number)))
             .collect())
     }
 
-    /// The change of the outgoing orientations of each case by each of the offsets `dz`; whether all are done.
+    /// Computes how much each offset `dz` changes the outgoing orientations of each case. Returns whether all are done.
     ///
     /// # Errors
     /// As [`Self::encounters`].
@@ -221,7 +220,7 @@ impl KeptRows<'_> {
             sample_interval: None,
             ..self.options.run
         };
-        // The planar run of a case is the reference of all its offsets.
+        // All offsets of a case are compared with its planar run.
         let group = 1 + dz.len();
         let cases = self.cases.len() / group;
         let of = |number: usize| {
@@ -262,7 +261,7 @@ impl KeptRows<'_> {
         Ok(done.is_complete())
     }
 
-    /// Computes and writes `units` units, and enters what has no result in the account.
+    /// Computes and writes `units` units, and counts the runs without a result in the account.
     fn write<R: Row>(
         &self,
         units: usize,

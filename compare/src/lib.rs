@@ -1,4 +1,4 @@
-//! Compares hydrodynamic models of two squirmers on the paper's encounters.
+//! Compares hydrodynamic models of two squirmers: the paper's encounters, maps and sweeps.
 //!
 //! One collision by two models:
 //!

@@ -1,30 +1,30 @@
-//! The ways in which loads are computed, by the names of the command line.
+//! The hydrodynamic models, by their names on the command line.
 
 use std::fmt;
 
 use bem::{Bem, BemError};
 use scene::Gap;
 
-/// A hydrodynamic method.
+/// A hydrodynamic model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Method {
     /// Lubrication theory as published.
     Lt,
-    /// Lubrication theory with the axial squirming force corrected.
+    /// Lubrication theory with the corrected coefficient (3) of the axial squirming force.
     LtCorrected,
-    /// Bispherical series, to about ten digits: the referee.
+    /// Bispherical series, accurate to about ten digits: the reference.
     Exact,
     /// Boundary elements.
     Bem,
-    /// No hydrodynamic interaction: in scene files only.
+    /// No hydrodynamic interaction. Only scene files can name it.
     Isolated,
 }
 
 impl Method {
-    /// The methods that can be compared: those of the command line.
+    /// The methods that the command line accepts.
     pub const ALL: [Self; 4] = [Self::Lt, Self::LtCorrected, Self::Exact, Self::Bem];
 
-    /// The methods that a command runs when none are named.
+    /// The methods that a command runs by default.
     pub const DEFAULT: [Self; 3] = [Self::Lt, Self::Exact, Self::Bem];
 
     /// Name on the command line and in tables.
@@ -39,11 +39,10 @@ impl Method {
         }
     }
 
-    /// Refuses a gap for which the model has no answer: boundary elements of the refinement level `mesh` end at a
-    /// smallest one.
+    /// Refuses a gap that is below the model's range. Boundary elements of level `mesh` have a smallest gap.
     ///
     /// # Errors
-    /// [`BemError::GapUnresolved`] with the level that would do; [`BemError::Level`] if there is no such level.
+    /// [`BemError::GapUnresolved`] with the level that resolves the gap; [`BemError::Level`] if `mesh` is not a level.
     pub fn check_gap(self, mesh: usize, gap: Gap) -> Result<(), BemError> {
         match self {
             Self::Bem => Bem::new(mesh)?.check(gap),
@@ -51,7 +50,7 @@ impl Method {
         }
     }
 
-    /// Name in pictures.
+    /// Name of the model in pictures.
     #[must_use]
     pub fn title(self) -> &'static str {
         match self {

@@ -1,4 +1,4 @@
-//! Hydrodynamic models as the commands use them: lubrication, tables, or direct solves.
+//! Hydrodynamic models as the commands use them: closed forms, tables, or a solve for every load.
 
 use std::path::PathBuf;
 use std::time::Instant;
@@ -16,36 +16,36 @@ use crate::scene_file::Hydrodynamics as InFiles;
 use crate::watch::{Pieces, Progress};
 use crate::{CompareError, Method};
 
-/// Interpolation error of the tables of boundary elements, relative to the larger of the load and
-/// 1: far below their own error, and what a deflection of 0.01 degrees needs with room to spare.
+/// Interpolation error of the tables of boundary elements, relative to the larger of the load and 1. It is far
+/// below the error of the boundary elements, and more than small enough for deflections within 0.01 degrees.
 pub const BEM_TABLE_TOLERANCE: f64 = 1e-6;
 
 /// Interpolation error of the exact tables, relative to the larger of the load and 1.
 pub const EXACT_TABLE_TOLERANCE: f64 = 1e-9;
 
-/// Smallest gap of the exact tables: closer, rounding of `1/(4 eps)` would show in what a table
-/// interpolates, and the exact loads have a limiting form of their own.
+/// Smallest gap of the exact tables. At smaller gaps the rounding of `1/(4 eps)` would spoil the interpolation, and
+/// the exact loads have a limiting form.
 pub(crate) const EXACT_TABLE_FROM: f64 = 1e-7;
 
-/// Right-hand sides over which a time is taken, and how often it is taken: the shortest counts, for everything
-/// else that the machine does only adds to it.
+/// Right-hand sides in one timing, and number of timings. The shortest timing counts, because other work of the
+/// machine can only add time.
 const RATES: (usize, usize) = (2000, 15);
 
-/// The same where every load is solved for.
+/// Right-hand sides in one timing, and number of timings, for a model that solves for every load.
 const SOLVED_RATES: (usize, usize) = (1, 2);
 
-/// How the models are set up.
+/// Options for setting up the models.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModelOptions {
-    /// Refinement level of the boundary elements.
+    /// Level of the mesh of boundary elements.
     pub mesh: usize,
-    /// Whether every load is solved for, instead of read from a table.
+    /// Whether the model solves for every load instead of reading it from a table.
     pub direct: bool,
-    /// Loads in the tables: by default all of the modes 1 and 2. A table is kept for each set, for its pieces
-    /// are those that the hardest of its columns needs: what is read from it never depends on which other
-    /// tables there are.
+    /// Loads in the tables; by default all loads of the modes 1 and 2. Each set of loads has a table of its own. The
+    /// pieces of a table follow from its hardest column, so a number from a larger table would differ within the
+    /// tolerance, and results would depend on which tables exist.
     pub tabulated: LoadSet,
-    /// Folder in which tables are kept from one run to the next, if they are.
+    /// Folder in which tables are kept from one run to the next; `None` keeps no tables.
     pub cache: Option<PathBuf>,
 }
 
@@ -61,10 +61,10 @@ impl Default for ModelOptions {
 }
 
 impl ModelOptions {
-    /// The same with tables of the loads that the motion of some scenes reads, and no others.
+    /// These options, with tables of only those loads that the motion of the given scenes reads.
     ///
     /// # Errors
-    /// [`CompareError::Scene`] if one of them is no scene.
+    /// [`CompareError::Scene`] if one of the scenes is not valid.
     pub fn for_scenes(
         self,
         scenes: impl IntoIterator<Item = Result<Scene, SceneError>>,
@@ -82,8 +82,8 @@ impl ModelOptions {
 /// A model chosen at run time.
 pub(crate) type AnyModel = Box<dyn Hydrodynamics>;
 
-/// A closed form's right-hand side is so quick that it has a compiled loop of its own; what looks loads up in a table
-/// or solves for them shares one.
+/// The closed form has so quick a right-hand side that it has a compiled loop of its own. Tables and models that solve for
+/// every load share one: a virtual call costs them nothing noticeable.
 enum Kind {
     Lubrication(Lubrication),
     Table(Box<Tabulated<AnyModel>>),
@@ -99,8 +99,7 @@ pub struct Model {
 }
 
 impl Model {
-    /// Sets up `method`: loads or builds its table unless it is to be solved directly, showing
-    /// how far that is.
+    /// Sets up `method`. Loads or builds its table, and shows the progress, unless `options` ask for direct solves.
     ///
     /// # Errors
     /// [`CompareError`] if the mesh level is not allowed or a solve fails.
@@ -141,7 +140,7 @@ impl Model {
         self.method
     }
 
-    /// The model as scene files say it.
+    /// The model's name in scene files.
     #[must_use]
     pub fn as_in_files(&self) -> InFiles {
         InFiles {
@@ -157,13 +156,13 @@ impl Model {
         self.set_up_seconds
     }
 
-    /// Whether every load is solved for.
+    /// Whether the model solves for every load.
     #[must_use]
     pub fn is_direct(&self) -> bool {
         matches!(self.kind, Kind::Direct(_)) && self.method != Method::Isolated
     }
 
-    /// How the table was built, if there is one.
+    /// How the table was built; `None` for a model without a table.
     #[must_use]
     pub fn table(&self) -> Option<TableSummary> {
         match &self.kind {
@@ -172,7 +171,7 @@ impl Model {
         }
     }
 
-    /// The loads in its table, if there is one.
+    /// The loads in the model's table; `None` for a model without a table.
     #[must_use]
     pub fn tabulated(&self) -> Option<LoadSet> {
         match &self.kind {
@@ -192,7 +191,7 @@ impl Model {
         Ok(Run { samples, ..run })
     }
 
-    /// Runs a plan and hands over its samples as they come.
+    /// Runs a plan and passes on each sample as soon as it is computed.
     ///
     /// # Errors
     /// As [`scene::run_observed`].
@@ -208,7 +207,7 @@ impl Model {
         }
     }
 
-    /// The right-hand side of a plan, evaluated `times` times over.
+    /// Evaluates the right-hand side of a plan `times` times.
     ///
     /// # Errors
     /// As [`scene::rates`].
@@ -224,8 +223,8 @@ impl Model {
         }
     }
 
-    /// Seconds of one right-hand side of a plan at `configuration`: the smallest of a few batches, or of few
-    /// single ones where every load is solved for.
+    /// Seconds of one right-hand side of a plan at `configuration`: the smallest of a few batches, or of a few single
+    /// evaluations for a model that solves for every load.
     ///
     /// # Errors
     /// As [`Self::rates`].
@@ -248,7 +247,7 @@ impl Model {
         Ok(best)
     }
 
-    /// Every effect of a plan in words.
+    /// Every effect of a plan, in words.
     #[must_use]
     pub fn explain(&self, plan: &Plan) -> Vec<PlanRow> {
         plan.rows(self.hydrodynamics())

@@ -1,19 +1,20 @@
-//! Numbers as people type them and as they read them: on the command line lists `1,2,5`, ranges `a:b:step` and
-//! logarithmic ranges `a:b:log:count`.
+//! Numbers as text. Reads lists `1,2,5`, ranges `a:b:step` and logarithmic ranges `a:b:log:count` from the command
+//! line. Writes numbers for tables.
 
 use std::ops::Range;
 
-/// Most numbers that one list may hold.
+/// Largest number of numbers in a list.
 const MOST: usize = 100_000;
 
 /// A list of finite numbers, not empty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Numbers(pub Vec<f64>);
 
-/// Parses a comma list of numbers, ranges `a:b:step` and logarithmic ranges `a:b:log:count`, both with both ends.
+/// Parses numbers, ranges `a:b:step` and logarithmic ranges `a:b:log:count`, separated by commas. Ranges contain
+/// both ends.
 ///
 /// # Errors
-/// One line that names the part that is wrong and what is allowed.
+/// One line with the part that is wrong and with what is allowed.
 ///
 /// ```
 /// use compare::parse_numbers;
@@ -75,7 +76,7 @@ fn number(text: &str) -> Result<f64, String> {
 /// Parses one number, which may be infinite.
 ///
 /// # Errors
-/// One line that names what is no number.
+/// One line with the text that is not a number.
 pub fn parse_number(text: &str) -> Result<f64, String> {
     (text.trim().parse()).map_err(|_| format!("'{text}' is not a number{}", point_hint(text)))
 }
@@ -83,20 +84,20 @@ pub fn parse_number(text: &str) -> Result<f64, String> {
 /// Parses a whole number, 0 or more.
 ///
 /// # Errors
-/// One line that names what is none.
+/// One line with the text that is not a whole number.
 pub fn parse_whole(text: &str) -> Result<usize, String> {
     (text.trim().parse()).map_err(|_| format!("'{text}' is not a whole number, 0 or more"))
 }
 
-/// What to say of a number with a decimal comma, and nothing of anything else.
+/// A hint if `text` has a decimal comma; otherwise empty.
 pub fn point_hint(text: &str) -> String {
     decimal_comma(text).map_or(String::new(), |at| {
         format!(": decimals take a point, {}", text[at].replace(',', "."))
     })
 }
 
-/// Where in `text` the first number with a decimal comma stands, such as `5,0` or `-1,5e-8`. Numbers in brackets are
-/// those of a list.
+/// Position in `text` of the first number with a decimal comma, such as `5,0` or `-1,5e-8`. Commas between brackets
+/// separate the numbers of a list.
 pub(crate) fn decimal_comma(text: &str) -> Option<Range<usize>> {
     let mut depth = 0_usize;
     let mut begin = None;
@@ -145,7 +146,7 @@ fn range(from: f64, to: f64, step: f64, numbers: &mut Vec<f64>) -> Result<(), St
             [from, to, step].map(written).join(":")
         ));
     }
-    // The last point may be missed by rounding only.
+    // Rounding must not drop the last point.
     let last = (count + 1e-9).floor() as usize;
     numbers.extend((0..=last).map(|i| as_typed(from + i as f64 * step, step)));
     Ok(())
@@ -191,7 +192,7 @@ pub fn written(value: f64) -> String {
     }
 }
 
-/// The same with a number of digits after the point.
+/// A number with `digits` digits after the point, and with an exponent where it would otherwise be a row of zeros.
 #[must_use]
 pub fn rounded(value: f64, digits: usize) -> String {
     let value = value + 0.0;
@@ -202,7 +203,7 @@ pub fn rounded(value: f64, digits: usize) -> String {
     }
 }
 
-/// An error, a bound or a time, of which no more than the size is of interest.
+/// An error, a bound or a time, of which only the order of magnitude matters.
 #[must_use]
 pub fn size(value: f64) -> String {
     format!("{:.1e}", value + 0.0)
@@ -212,13 +213,13 @@ fn is_plain(value: f64) -> bool {
     value == 0.0 || !value.is_finite() || (1e-4..1e6).contains(&value.abs())
 }
 
-/// A number of a range as it would have been typed: 0.1 * 3 is not 0.3, so what lies twelve digits below the step is
-/// rounding.
+/// A number of a range as a person types it: `0.1 * 3` is not `0.3` in floating point, so digits more than twelve
+/// places below the step are rounded away.
 fn as_typed(value: f64, step: f64) -> f64 {
     let digits = 12 - step.abs().log10().floor() as i32;
     let scale = 10_f64.powi(digits.clamp(0, 300));
     let scaled = value * scale;
-    // Where a whole number no longer tells its neighbours apart there is nothing to round.
+    // Numbers this large are whole numbers: there is nothing to round.
     if scaled.abs() < 9e15 {
         scaled.round() / scale
     } else {

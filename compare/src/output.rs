@@ -1,4 +1,4 @@
-//! Files: written aside and renamed, so that nothing is ever half-written.
+//! Writes files: first under a temporary name, then renamed, so that no file is ever half-written.
 
 use std::collections::HashSet;
 use std::fs::{File, TryLockError};
@@ -14,37 +14,38 @@ use crate::CompareError;
 use crate::account::Account;
 use crate::watch::notice;
 
-/// The folder that a command writes into, which is its own for as long as it runs.
+/// The folder that a command writes into. No other command writes into it meanwhile.
 #[derive(Clone, Debug)]
 pub struct OutputFolder {
     path: PathBuf,
-    /// The folder itself, locked; the system lets go of it when the process ends, however it ends.
+    /// The locked folder. The system unlocks it when the process ends, even after a crash.
     _lock: Option<Arc<File>>,
     fresh: bool,
     account: Arc<Account>,
-    /// Part files that this command goes on with.
+    /// Part files that this command continues.
     parts: Arc<Mutex<HashSet<String>>>,
 }
 
-/// Who else may write into a folder meanwhile.
+/// Which other commands may write into a folder at the same time.
 #[derive(Clone, Copy, PartialEq)]
 enum Others {
-    /// Nobody.
+    /// No other command.
     None,
-    /// Commands that write whole files and read none.
+    /// Commands that only write whole files and read none.
     Alike,
 }
 
 impl OutputFolder {
-    /// Creates the folder if need be, makes sure that it can be written to, and keeps other commands off it.
+    /// Creates the folder if it does not exist, checks that it can be written to, and locks it.
     ///
     /// # Errors
-    /// [`CompareError::Write`] if it cannot; [`CompareError::Busy`] if another process writes there.
+    /// [`CompareError::Write`] if the folder cannot be written to; [`CompareError::Busy`] if another process writes
+    /// there.
     pub fn open(path: &Path) -> Result<Self, CompareError> {
         Self::claim(path, Others::None)
     }
 
-    /// As [`Self::open`], for a command that only writes whole files: several of these may run at once.
+    /// As [`Self::open`], for a command that only writes whole files. Several such commands may run at once.
     pub fn open_beside_others(path: &Path) -> Result<Self, CompareError> {
         Self::claim(path, Others::Alike)
     }
@@ -66,56 +67,56 @@ impl OutputFolder {
         })
     }
 
-    /// With or without leave to throw away what an interrupted command has left in it.
+    /// Sets whether this command may delete the results of an interrupted command.
     pub fn fresh(self, fresh: bool) -> Self {
         Self { fresh, ..self }
     }
 
-    /// Whether what an interrupted command has left may be thrown away.
+    /// Whether this command may delete the results of an interrupted command.
     pub fn is_fresh(&self) -> bool {
         self.fresh
     }
 
-    /// What the command has run so far, and what of it has no result.
+    /// Counts of the runs so far, and of those without a result.
     pub fn account(&self) -> &Account {
         &self.account
     }
 
-    /// The part file `name` is this command's from now on.
+    /// Declares that this command continues the part file `name`.
     pub fn takes(&self, part: String) {
         let mut parts = self.parts.lock().unwrap_or_else(PoisonError::into_inner);
         parts.insert(part);
     }
 
-    /// Text of the file `name`, if an earlier command left it here.
+    /// Text of the file `name`, if an earlier command wrote it.
     #[must_use]
     pub fn read(&self, name: &str) -> Option<String> {
         std::fs::read_to_string(self.path.join(name)).ok()
     }
 
-    /// Where it is.
+    /// Path of the folder.
     pub fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Whether an earlier command left the file `name` here.
+    /// Whether the file `name` exists.
     pub fn holds(&self, name: &str) -> bool {
         self.path.join(name).exists()
     }
 
-    /// Takes away the file `name` of an earlier command, if there is one, and says so.
+    /// Deletes the file `name` of an earlier command, if there is one, and reports it.
     pub fn remove(&self, name: &str) -> Result<(), CompareError> {
         if self.holds(name) {
             let removed = std::fs::remove_file(self.path.join(name));
             removed.map_err(|source| self.failed(name, source))?;
             notice!(
-                "'{name}' of an earlier command is taken away: it would not fit what is here now"
+                "'{name}' of an earlier command is deleted: it would not agree with the new results"
             );
         }
         Ok(())
     }
 
-    /// Writes `text` to the file `name`, which is whole now: the part file of its sweep goes, if this command has one.
+    /// Writes `text` to the file `name`, then deletes its part file if this command continued one.
     ///
     /// # Errors
     /// [`CompareError::Write`].
@@ -133,7 +134,7 @@ impl OutputFolder {
         Ok(path)
     }
 
-    /// Writes to the file `name` what `fill` writes, piece by piece.
+    /// Writes the file `name`. The function `fill` writes its text piece by piece.
     pub fn write_by<E: From<CompareError>>(
         &self,
         name: &str,
@@ -150,11 +151,11 @@ impl OutputFolder {
         Ok(path)
     }
 
-    /// A file that is to become the file `name`, and goes if it does not.
+    /// A temporary file that can be renamed to `name`; otherwise it is deleted.
     pub fn aside(&self, name: &str) -> Result<NamedTempFile, CompareError> {
         let failed = |source| self.failed(name, source);
         let file = NamedTempFile::new_in(&self.path).map_err(failed)?;
-        // Temporary files are private; results are for everybody whom the folder lets in.
+        // Temporary files are private; everybody who can open the folder may read results.
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt;
@@ -164,19 +165,19 @@ impl OutputFolder {
         Ok(file)
     }
 
-    /// That the file `name` cannot be written.
+    /// The error that the file `name` cannot be written.
     pub fn failed(&self, name: &str, source: std::io::Error) -> CompareError {
         let path = self.path.join(name);
         CompareError::Write { path, source }
     }
 }
 
-/// Name of the file in which the sweep behind the file `name` is kept until it is done.
+/// Name of the part file, which keeps the rows of the file `name` until all are computed.
 pub fn part_of(name: &str) -> String {
     format!("{name}.part")
 }
 
-/// Locks a folder; none where the system can't open folders or the file system has no locks.
+/// Locks a folder. Returns `None` if the system can't open folders or the file system has no locks.
 fn lock(path: &Path, others: Others) -> Result<Option<File>, CompareError> {
     let Ok(folder) = File::open(path) else {
         return Ok(None);
@@ -197,7 +198,7 @@ fn lock(path: &Path, others: Others) -> Result<Option<File>, CompareError> {
 /// Rows as CSV text with a header.
 ///
 /// # Errors
-/// [`CompareError::Rows`] if a row cannot be a line.
+/// [`CompareError::Rows`] if a row cannot be written as a line.
 pub fn csv_text<T: Serialize>(rows: &[T]) -> Result<String, CompareError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for row in rows {
@@ -212,7 +213,7 @@ pub fn csv_text<T: Serialize>(rows: &[T]) -> Result<String, CompareError> {
 /// The header of the CSV text of some rows, without its end of line.
 ///
 /// # Errors
-/// [`CompareError::Rows`] if a row cannot be a line.
+/// [`CompareError::Rows`] if a row cannot be written as a line.
 pub fn csv_header<T: Serialize>(rows: &[T]) -> Result<String, CompareError> {
     let text = csv_text(rows)?;
     Ok(text.lines().next().unwrap_or_default().to_owned())

@@ -1,7 +1,7 @@
-//! One scene run to files: rows as they come, and a summary.
+//! Runs one scene and writes its rows and a summary.
 //!
-//! Rows are written to `run.csv.partial`, one whole line at a time, and the file is renamed to `run.csv` when the
-//! run has ended: a run that is stopped leaves its finished rows under a name that says so.
+//! Rows are written to `run.csv.partial`, one whole line at a time. The file is renamed to `run.csv` when the run has
+//! ended. A run that was stopped therefore leaves its rows in `run.csv.partial`.
 
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -13,44 +13,44 @@ use crate::output::OutputFolder;
 use crate::watch::{Leaving, Pieces, Progress};
 use crate::{CompareError, Method, Model};
 
-/// File of the trajectory.
+/// Name of the file of the trajectory.
 const FILE: &str = "run.csv";
 
 /// One line of `run.csv`: time in `a/V_s`, lengths in radii, orientations as unit vectors and as angles of
-/// their projection on the x-y plane, in degrees, anticlockwise from the x axis; angles wind.
+/// their projection on the x-y plane, in degrees, anticlockwise from the x axis, without jumps of 360 degrees.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SampleRow {
-    /// Time.
+    /// Time, in `a/V_s`.
     pub t: f64,
-    /// First centre.
+    /// x of the centre of squirmer 1, in radii.
     pub x1: f64,
-    /// First centre.
+    /// y of the centre of squirmer 1, in radii.
     pub y1: f64,
-    /// First centre.
+    /// z of the centre of squirmer 1, in radii.
     pub z1: f64,
-    /// Second centre.
+    /// x of the centre of squirmer 2, in radii.
     pub x2: f64,
-    /// Second centre.
+    /// y of the centre of squirmer 2, in radii.
     pub y2: f64,
-    /// Second centre.
+    /// z of the centre of squirmer 2, in radii.
     pub z2: f64,
-    /// First orientation.
+    /// x of the orientation of squirmer 1.
     pub px1: f64,
-    /// First orientation.
+    /// y of the orientation of squirmer 1.
     pub py1: f64,
-    /// First orientation.
+    /// z of the orientation of squirmer 1.
     pub pz1: f64,
-    /// Second orientation.
+    /// x of the orientation of squirmer 2.
     pub px2: f64,
-    /// Second orientation.
+    /// y of the orientation of squirmer 2.
     pub py2: f64,
-    /// Second orientation.
+    /// z of the orientation of squirmer 2.
     pub pz2: f64,
-    /// Angle of the first orientation.
+    /// Angle of the orientation of squirmer 1, in degrees.
     pub angle1_deg: f64,
-    /// Angle of the second orientation.
+    /// Angle of the orientation of squirmer 2, in degrees.
     pub angle2_deg: f64,
-    /// Gap.
+    /// Gap, in radii.
     pub gap: f64,
 }
 
@@ -84,7 +84,7 @@ impl From<&Sample> for SampleRow {
     }
 }
 
-/// What came of a run, for people and for programs.
+/// Summary of a run, for people and for programs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Summary {
     /// Outcome.
@@ -93,29 +93,30 @@ pub struct Summary {
     pub end_time: f64,
     /// Smallest gap, in radii.
     pub min_gap: f64,
-    /// Time spent at gaps up to 1, in `a/V_s`.
+    /// Interaction time (the time at gaps up to 1), in `a/V_s`.
     pub contact_time: f64,
     /// Deflection of the first squirmer, in degrees.
     pub deflection1_deg: f64,
     /// Deflection of the second squirmer, in degrees.
     pub deflection2_deg: f64,
-    /// Estimate of how far the deflections are from their limit at infinity, in degrees; 0 where nothing is cut off.
+    /// Estimated difference of the deflections from their limit at infinity, in degrees; 0 if the run needs no such
+    /// limit.
     pub truncation_deg: f64,
-    /// Time from which on the pair was in a steady state, if it was.
+    /// Time at which the pair reached a steady state; `None` if it reached none.
     pub settled: Option<f64>,
     /// Name of the hydrodynamic method.
     pub method: &'static str,
-    /// Name of the state of the motion.
+    /// Name of the kind of coordinates.
     pub state: &'static str,
-    /// Numbers in it.
+    /// Number of variables of the motion.
     pub numbers: usize,
-    /// Accepted steps.
+    /// Accepted steps of the integrator.
     pub steps: u64,
-    /// Rejected steps.
+    /// Rejected steps of the integrator.
     pub rejected: u64,
-    /// Loads asked of the model.
+    /// Number of times that the model computed its loads.
     pub loads: u64,
-    /// Free flights.
+    /// Number of free flights.
     pub flights: u64,
     /// Wall-clock time of the run, in seconds.
     pub seconds: f64,
@@ -146,7 +147,7 @@ impl Summary {
         }
     }
 
-    /// As one JSON object on one line.
+    /// The summary as one JSON object on one line.
     ///
     /// # Errors
     /// [`CompareError::Json`].
@@ -155,11 +156,11 @@ impl Summary {
     }
 }
 
-/// Files of a run that has ended, and what the names of those of an earlier run end with until then.
+/// Files of a finished run, and the ending that the files of an earlier run get meanwhile.
 const FILES: [&str; 3] = [FILE, "run.json", "run.svg"];
 const EARLIER: &str = ".earlier";
 
-/// Gives the files of an earlier run other names, so that they are not taken for those of a run that fails.
+/// Renames the files of an earlier run. If this run fails, nobody takes them for its results.
 fn set_aside(out: &OutputFolder) -> Result<(), CompareError> {
     for file in FILES {
         if out.holds(file) {
@@ -171,13 +172,13 @@ fn set_aside(out: &OutputFolder) -> Result<(), CompareError> {
     Ok(())
 }
 
-/// The files of an earlier run that a run which failed has not replaced.
+/// The renamed files of an earlier run that still exist.
 pub fn earlier(out: &OutputFolder) -> Vec<String> {
     let names = FILES.iter().map(|file| format!("{file}{EARLIER}"));
     names.filter(|name| out.holds(name)).collect()
 }
 
-/// Takes away the files of an earlier run: those of this one are all there.
+/// Deletes the files of an earlier run, after all files of this run are written.
 pub fn forget_earlier(out: &OutputFolder) -> Result<(), CompareError> {
     for name in earlier(out) {
         let removed = std::fs::remove_file(out.path().join(&name));
@@ -186,11 +187,11 @@ pub fn forget_earlier(out: &OutputFolder) -> Result<(), CompareError> {
     Ok(())
 }
 
-/// Runs a plan, writing its samples to `run.csv` of `out` as they come; returns them too.
+/// Runs a plan, writes each sample to `run.csv` in `out` as soon as it is computed, and returns all samples.
 ///
 /// # Errors
-/// [`CompareError`] if the run fails or a file cannot be written; finished rows stay in
-/// `run.csv.partial`, and files of an earlier run end with `.earlier`.
+/// [`CompareError`] if the run fails or a file cannot be written. Then the finished rows stay in `run.csv.partial`,
+/// and the names of the files of an earlier run end with `.earlier`.
 pub fn stream(
     model: &Model,
     plan: &Plan,

@@ -1,7 +1,7 @@
-//! What long work tells whoever watches it, and how it is asked to stop.
+//! Progress of long work, and requests to stop it.
 //!
-//! As with the crate `log`, the library only reports; what a person sees is the program's choice. Without a
-//! [`Watch`] nothing is shown.
+//! As with the crate `log`, the library only reports, and the program decides what to show. Without a [`Watch`]
+//! nothing is shown.
 
 use std::fmt::Arguments;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed, Ordering::SeqCst};
@@ -9,53 +9,53 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 
 use scene::BuildProgress;
 
-/// A stretch of work.
+/// Work whose progress is reported.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Work {
-    /// What its pieces are, or what is built, in words.
+    /// Name of its pieces, or of what is built.
     pub what: &'static str,
-    /// Its size, in pieces; of a table not known yet.
+    /// Number of its pieces; for a table it is not known at first.
     pub total: usize,
-    /// What its pieces are like.
+    /// Kind of its pieces.
     pub pieces: Pieces,
 }
 
-/// What the pieces of some work are like.
+/// Kinds of pieces of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pieces {
-    /// They take about the same time each, so that the time left follows from the time gone.
+    /// All pieces take about the same time, so the remaining time follows from the elapsed time.
     Alike,
-    /// They take very different times.
+    /// The pieces take very different times.
     Unlike,
-    /// Gaps at which a table is solved for; how many, only the work itself shows.
+    /// Gaps at which the loads of a table are solved for. Their number is known only at the end.
     Gaps,
-    /// Units `a/V_s` of a run's time; it may end before them.
+    /// Units `a/V_s` of the time of a run, which may end early.
     Time,
 }
 
-/// Shows a person what long work tells.
+/// Shows the progress of long work to a person.
 pub trait Watch: Send + Sync {
-    /// Work begins; it is over when what is returned is dropped.
+    /// Called when work begins. The work has ended when the returned value is dropped.
     fn begin(&self, work: Work) -> Box<dyn Shown>;
 
-    /// A line that a person should read, such as what was damaged and is computed again.
+    /// Shows a line that a person should read, such as a report of a damaged file.
     fn notice(&self, line: Arguments<'_>);
 }
 
-/// Work under way, as it is shown.
+/// The display of work that is running.
 pub trait Shown: Send + Sync {
-    /// So many pieces are done, of so many.
+    /// Shows that `done` of `total` pieces are done.
     fn reach(&self, done: usize, total: usize);
 }
 
 static WATCH: OnceLock<Box<dyn Watch>> = OnceLock::new();
 
-/// Shows all further work by `watch`; only the first call of a process counts.
+/// From now on `watch` shows all work. Only the first call of a process has an effect.
 pub fn install(watch: Box<dyn Watch>) {
     let _ = WATCH.set(watch);
 }
 
-/// Tells of work until it is dropped.
+/// Reports the progress of work until this value is dropped.
 pub struct Progress {
     done: AtomicUsize,
     total: AtomicUsize,
@@ -63,7 +63,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Begins a stretch of work.
+    /// Begins work of `total` pieces.
     #[must_use]
     pub fn begin(what: &'static str, total: usize, pieces: Pieces) -> Self {
         let work = Work {
@@ -78,21 +78,21 @@ impl Progress {
         }
     }
 
-    /// One more piece is done.
+    /// Reports that one more piece is done.
     pub fn advance(&self) {
         self.done.fetch_add(1, Relaxed);
         self.show();
     }
 
-    /// How far a table is.
+    /// Reports how far the building of a table is.
     pub fn follow(&self, table: BuildProgress) {
         self.total.store(table.expected, Relaxed);
         self.reach(table.done);
     }
 
-    /// So many pieces are done.
+    /// Reports that `done` pieces are done.
     pub fn reach(&self, done: usize) {
-        // Threads may report out of order; what is shown must not run backwards.
+        // Threads may report out of order; the number shown must not decrease.
         self.done.fetch_max(done, Relaxed);
         self.show();
     }
@@ -104,7 +104,7 @@ impl Progress {
     }
 }
 
-/// Tells a line.
+/// Shows a line that a person should read.
 pub(crate) fn tell(line: Arguments<'_>) {
     if let Some(watch) = WATCH.get() {
         watch.notice(line);
@@ -120,38 +120,38 @@ macro_rules! notice {
 
 pub(crate) use notice;
 
-/// Whether work is asked to stop.
+/// Whether work was requested to stop.
 static STOP: AtomicBool = AtomicBool::new(false);
 
-/// Sweeps under way that keep their pieces.
+/// Number of running sweeps that keep their pieces.
 static KEEPING: AtomicUsize = AtomicUsize::new(0);
 
-/// What is left where the process is ended at once.
+/// What remains on disk if the process ends at once.
 static LEFT: Mutex<Option<String>> = Mutex::new(None);
 
-/// Asks sweeps to stop after the pieces under way; whether they were asked before.
+/// Requests sweeps to stop after their current pieces. Returns whether this was requested before.
 pub fn request_stop() -> bool {
     STOP.swap(true, SeqCst)
 }
 
-/// Whether no further piece is to be begun.
+/// Whether sweeps must not begin further pieces.
 pub(crate) fn stop_requested() -> bool {
     STOP.load(SeqCst)
 }
 
-/// Whether a sweep that keeps its pieces is under way.
+/// Whether a sweep that keeps its pieces is running.
 #[must_use]
 pub fn keeps_pieces() -> bool {
     KEEPING.load(SeqCst) > 0
 }
 
-/// What is left if the process ends now, in words.
+/// What remains on disk if the process ends now, in words.
 #[must_use]
 pub fn left() -> Option<String> {
     LEFT.lock().unwrap_or_else(PoisonError::into_inner).clone()
 }
 
-/// As long as this lives, a sweep that is asked to stop finishes the pieces under way and keeps them.
+/// While this value exists, a request to stop lets the sweep finish and keep its current pieces.
 pub(crate) struct Keeping(());
 
 impl Keeping {
@@ -167,7 +167,7 @@ impl Drop for Keeping {
     }
 }
 
-/// As long as this lives, [`left`] says what a process that ends now leaves.
+/// While this value exists, [`left`] returns what a process that ends now leaves on disk.
 pub(crate) struct Leaving(());
 
 impl Leaving {

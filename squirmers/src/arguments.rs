@@ -1,4 +1,4 @@
-//! The command line as it is typed.
+//! The arguments of the command line.
 
 use std::path::PathBuf;
 
@@ -26,9 +26,9 @@ use compare::output::OutputFolder;
     subcommand_required = true,
     after_help = "Example:\n  squirmers report --out out      every comparison, as one web page\n\n\
         Exit status: 0 done; 1 a run failed or a bound is broken; 2 bad input or output place;\n\
-        75 stopped by --time-limit, to be gone on with by the same command; 130 interrupted.\n\n\
-        Interrupts (Ctrl-C): maps and sweeps finish the pieces under way and keep them, and the same\n\
-        command goes on with the rest; a second interrupt ends at once."
+        75 stopped by --time-limit, and the same command continues; 130 interrupted.\n\n\
+        Interrupts (Ctrl-C): maps and sweeps finish and keep their current pieces, and the same\n\
+        command continues with the rest; a second interrupt ends the command at once."
 )]
 pub(crate) struct Arguments {
     #[command(subcommand)]
@@ -36,19 +36,19 @@ pub(crate) struct Arguments {
     /// Folder for results
     #[arg(long, global = true, value_name = "DIR", default_value = "out")]
     pub out: PathBuf,
-    /// Throw away what an interrupted sweep has left in the folder, instead of going on with it
+    /// Delete the results of an interrupted sweep in the folder instead of continuing the sweep
     #[arg(long, global = true)]
     pub fresh: bool,
     /// Threads to use [default: all]
     #[arg(long, global = true, value_name = "N", value_parser = parse_whole, allow_hyphen_values = true)]
     pub threads: Option<usize>,
-    /// Folder in which tables are kept for the next run [default: the user's cache folder]
+    /// Folder that keeps tables for the next run [default: the user's cache folder]
     #[arg(long, global = true, value_name = "DIR")]
     pub cache: Option<PathBuf>,
 }
 
 impl Arguments {
-    /// The folder for results, which no other command writes into meanwhile.
+    /// Opens the folder for results and locks it against other commands.
     pub(super) fn output(&self) -> Result<OutputFolder, CommandError> {
         Ok(OutputFolder::open(&self.out)?.fresh(self.fresh))
     }
@@ -56,7 +56,7 @@ impl Arguments {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Loads of the pair at given gaps: resistance scalars and loads of squirming and swirl modes
+    /// Loads of the pair at given gaps: resistance scalars, and loads of squirming and swirl modes
     #[command(
         after_help = "Example:\n  squirmers loads --gap 1,0.1,0.01 --method lt,bem --direct\n  \
                             squirmers loads --gap 0.1 --modes 3 --swirl 2 --method exact --direct"
@@ -65,10 +65,10 @@ pub(crate) enum Command {
         /// Gaps eps = |x2-x1|/a - 2, each greater than 0
         #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
         gap: Numbers,
-        /// Squirming modes, 1 to this
+        /// Highest squirming mode
         #[arg(long, value_name = "N", default_value_t = 2, value_parser = parse_whole, allow_hyphen_values = true)]
         modes: usize,
-        /// Swirl modes, 1 to this
+        /// Highest swirl mode; 0 for none
         #[arg(long, value_name = "N", default_value_t = 0, value_parser = parse_whole, allow_hyphen_values = true)]
         swirl: usize,
         #[command(flatten)]
@@ -83,7 +83,7 @@ pub(crate) enum Command {
     /// Change of the outgoing angles by an offset out of the plane (Fig. 5b)
     #[command(after_help = "Example:\n  squirmers offset --dz 0:0.5:0.1 --method lt,bem")]
     Offset {
-        /// Offsets: the first squirmer is raised by dz/2, the second lowered [default: the paper's]
+        /// Offsets: squirmer 1 starts at z = dz/2, squirmer 2 at z = -dz/2 [default: the paper's]
         #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
         dz: Option<Numbers>,
         #[command(flatten)]
@@ -91,7 +91,7 @@ pub(crate) enum Command {
         #[command(flatten)]
         runs: RunArguments,
     },
-    /// What accuracy costs in time: loads, deflections, scaling, and the cheapest way to a target
+    /// What accuracy costs in time: loads, deflections, scaling, and the cheapest method for a target
     #[command(after_help = "Example:\n  squirmers cost --target 0.1deg --quick")]
     Cost(CostArguments),
     /// Maps over the incoming angles (Figs 2-4): deflections, interaction time tau, outcome
@@ -99,7 +99,7 @@ pub(crate) enum Command {
     #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
     #[command(mut_arg("time_limit", maps::time_limit))]
     Scatter(MapArguments),
-    /// Share of each outcome against beta (Fig. 5a) and bottom-heaviness (Fig. 8g)
+    /// Share of each outcome as a function of beta (Fig. 5a) and bottom-heaviness (Fig. 8g)
     #[command(after_help = "Example:\n  squirmers fates --beta -10:10:1 --g 0 --method lt")]
     #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
     #[command(mut_arg("time_limit", maps::time_limit))]
@@ -116,7 +116,7 @@ pub(crate) enum Command {
         #[command(flatten)]
         runs: RunArguments,
     },
-    /// Where over the incoming angles lubrication theory and exact hydrodynamics part
+    /// Map of the incoming angles where lubrication theory and exact hydrodynamics disagree
     #[command(after_help = "Example:\n  squirmers trust --beta 5 --grid 100")]
     #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
     #[command(mut_arg("time_limit", maps::time_limit))]
@@ -126,13 +126,13 @@ pub(crate) enum Command {
         after_help = "Example:\n  squirmers run fixtures/scenes/fig6-head-on-dx1.toml --out out"
     )]
     Run(scene::RunArguments),
-    /// What is computed for a scene and what is not, why, and what it costs
+    /// What is computed for a scene and what is not, the reasons, and the cost
     #[command(after_help = "Example:\n  squirmers explain fixtures/scenes/fig8e-downward.toml")]
     Explain(scene::ExplainArguments),
-    /// Numerically hard cases, each held against a bound; exit status 1 if one is broken
+    /// Numerically hard cases, each compared with a bound; exit status 1 if a bound is broken
     #[command(after_help = "Example:\n  squirmers hard-cases --only contact,long-runs")]
     HardCases(HardCaseArguments),
-    /// A family of scenes along any of its parameters: one row a scene and model
+    /// Sweep of a family of scenes along any of its parameters: one row for each scene and model
     #[command(
         after_help = "Example:\n  squirmers sweep opposed --vary beta=-5,0,5 --vary dx=0.5:3:0.5 --method lt,exact\n  \
                             squirmers sweep mine.toml --vary kappa=1:100:log:9 --partition 2/7 --out share-2"
@@ -142,10 +142,10 @@ pub(crate) enum Command {
         mut_arg("time_limit", sweep::time_limit)
     )]
     Sweep(SweepArguments),
-    /// Shares of a sweep, put together as if it had not been shared
+    /// Merge the shares of a sweep into the file of the whole sweep
     #[command(after_help = "Example:\n  squirmers merge share-1 share-2 share-3 --out whole")]
     Merge(MergeArguments),
-    /// All of it, with the paper's cases, into one self-contained index.html
+    /// All comparisons for the paper's cases, in one self-contained index.html
     #[command(after_help = "Example:\n  squirmers report --out out && xdg-open out/index.html")]
     Report {
         #[command(flatten)]
@@ -163,7 +163,7 @@ pub(crate) struct EncounterArguments {
     /// Offsets of the paths [default: the paper's]
     #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
     pub dx: Option<Numbers>,
-    /// Offsets out of the plane: the first is raised by dz/2, the second lowered [default: 0]
+    /// Offsets out of the plane: squirmer 1 starts at z = dz/2, squirmer 2 at z = -dz/2 [default: 0]
     #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
     pub dz: Option<Numbers>,
     #[command(flatten)]
@@ -177,7 +177,7 @@ pub(crate) struct ModelArguments {
     /// Methods: lt (as published), lt-corrected, exact, bem [default: lt,exact,bem]
     #[arg(long, value_name = "LIST", value_parser = parse_methods)]
     pub method: Option<Methods>,
-    /// Refinement level of the boundary elements
+    /// Level of the mesh of boundary elements
     #[arg(long, value_name = "N", value_parser = parse_level, allow_hyphen_values = true)]
     pub mesh: Option<usize>,
     /// Solve for every load instead of reading it from a table
@@ -187,7 +187,7 @@ pub(crate) struct ModelArguments {
 
 #[derive(Debug, Args)]
 pub(crate) struct RunArguments {
-    /// Tolerance of a trajectory's steps
+    /// Tolerance of the integrator
     #[arg(
         long,
         value_name = "TOL",
@@ -202,8 +202,8 @@ pub(crate) struct RunArguments {
 
 #[derive(Debug, Args)]
 pub(crate) struct LimitArguments {
-    /// Distance of the centres, in radii, at which the angles of a pair that parts are read: 12 as the paper does,
-    /// or inf for their limit; where it parts, if that is further out
+    /// Distance of the centres, in radii, at which outgoing angles are read: 12 as in the paper, or inf for the limit.
+    /// If the pair parts further out, its angles are read there
     #[arg(
         long,
         value_name = "R|inf",
@@ -212,13 +212,13 @@ pub(crate) struct LimitArguments {
         allow_hyphen_values = true
     )]
     pub departure: f64,
-    /// Begin no further run after this time; those left out are reported, and the same command goes on (exit
-    /// status 75)
+    /// Begin no further run after this time. Runs that are left out are reported, and the same command continues
+    /// (exit status 75)
     #[arg(long, value_name = "SECONDS", value_parser = parse_number, allow_hyphen_values = true)]
     pub time_limit: Option<f64>,
 }
 
-/// A list of methods, not empty, none twice.
+/// A list of methods: not empty, and without repeats.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Methods(pub Vec<Method>);
 

@@ -1,4 +1,4 @@
-//! The command `squirmers`: arguments in, files and a short table out.
+//! Reads the command line, runs the command and sets the exit status.
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -18,7 +18,7 @@ use crate::streams::{complain, refused, write_out};
 /// Runs the command line `arguments` (the program's name first).
 ///
 /// Exit status 0 on success, 1 if a run failed or a bound is broken, 2 for bad input or a bad output place, 75 if
-/// the time limit stopped the command, 130 if it was interrupted; each prints one line on standard error.
+/// the time limit stopped the command, 130 if it was interrupted. Every failure prints one line on standard error.
 pub fn run<I, T>(arguments: I) -> ExitCode
 where
     I: IntoIterator<Item = T>,
@@ -40,7 +40,7 @@ where
     ended(done.and_then(|()| refused()))
 }
 
-/// The command `help` knows no options; `--help` beside it asks for what it prints anyway.
+/// Drops `--help` after the command `help`, which accepts no options and prints the help anyway.
 fn without_help_on_help(mut arguments: Vec<OsString>) -> Vec<OsString> {
     if arguments.get(1).is_some_and(|command| command == "help") {
         arguments.retain(|argument| argument != "--help" && argument != "-h");
@@ -53,7 +53,7 @@ fn ended(done: Result<(), CommandError>) -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             match error {
-                // What was asked for is no mistake.
+                // The user requested the interrupt, so the message does not say "error".
                 CommandError::Compare(CompareError::Interrupted { .. }) => complain!("{error}"),
                 _ => complain!("error: {error}"),
             }
@@ -62,7 +62,7 @@ fn ended(done: Result<(), CommandError>) -> ExitCode {
     }
 }
 
-/// Help and version go to standard output; anything else is bad input, told in one line.
+/// Help and version go to standard output. Anything else is bad input and is reported in one line.
 fn refuse(error: &clap::Error) -> ExitCode {
     if matches!(
         error.kind(),
@@ -82,11 +82,11 @@ fn refuse(error: &clap::Error) -> ExitCode {
     ExitCode::from(2)
 }
 
-/// A file in the place of the cache would keep nothing.
+/// Refuses a file in place of the cache folder, because tables could not be kept in it.
 fn check_cache(arguments: &Arguments) -> Result<(), CommandError> {
     match &arguments.cache {
         Some(path) if path.exists() && !path.is_dir() => {
-            let allowed = "it is no folder: name one, or leave it out";
+            let allowed = "it is not a folder: give a folder, or leave this option out";
             Err(CommandError::input("--cache", path.display(), allowed))
         }
         _ => Ok(()),
@@ -94,7 +94,7 @@ fn check_cache(arguments: &Arguments) -> Result<(), CommandError> {
 }
 
 fn set_threads(threads: Option<usize>) -> Result<(), CommandError> {
-    /// More threads than any machine has cores are a slip of the finger.
+    /// Largest number of threads: more threads than any machine has cores are a typing mistake.
     const MOST: usize = 4096;
     let Some(threads) = threads else {
         return Ok(());

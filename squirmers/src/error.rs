@@ -1,4 +1,4 @@
-//! What a command can fail at, and its exit status.
+//! The errors of a command, and its exit status.
 
 use compare::{CompareError, FailureKind};
 use scene::SceneError;
@@ -6,13 +6,14 @@ use scene::SceneError;
 use crate::figures::FigureError;
 use crate::interrupt;
 
-/// Exit status of a command that the time limit stopped: that for failures which go away when one tries again.
+/// Exit status of a command that the time limit stopped. This is the usual status (EX_TEMPFAIL) of a failure that
+/// ends after the command is repeated.
 const STOPPED: u8 = 75;
 
-/// Everything that a command can refuse or fail at, each one line.
+/// Everything that can make a command fail, with its message.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum CommandError {
-    /// What it computes or writes failed.
+    /// A computation or the writing of its results failed.
     #[error(transparent)]
     Compare(#[from] CompareError),
     /// A picture could not be drawn.
@@ -45,8 +46,8 @@ impl CommandError {
         CompareError::input(what, value, allowed).into()
     }
 
-    /// Exit status of the command: 2 for bad input or a bad output place, 75 where the time limit stopped it, 130
-    /// where an interrupt did, 1 for a failure of the computation.
+    /// Exit status of the command: 2 for bad input or a bad output place, 75 if the time limit stopped the command, 130
+    /// if an interrupt stopped it, 1 if the computation failed.
     pub(crate) fn exit_status(&self) -> u8 {
         let Self::Compare(error) = self else {
             return 1;

@@ -1,5 +1,5 @@
-//! Interrupts from the keyboard (`Ctrl-C`, SIGINT). While a sweep keeps its pieces the first one lets those under way
-//! be finished, and no other is begun; any other ends the command at once.
+//! Interrupts from the keyboard (`Ctrl-C`, SIGINT). If a sweep keeps its pieces, the first interrupt lets it finish its
+//! current pieces and begin no others. Any other interrupt ends the command at once.
 
 use compare::watch;
 
@@ -9,10 +9,10 @@ use crate::streams::complain;
 /// Exit status of a command that was interrupted.
 pub(crate) const STATUS: u8 = 130;
 
-/// From now on interrupts do what this module says.
+/// Installs the handler of interrupts.
 pub(crate) fn listen() {
-    // Also where whoever started the command has interrupts ignored, as shells do in the background: an interrupt that
-    // comes all the same is meant. If the system refuses, an interrupt ends the command as it would without this.
+    // Shells ignore interrupts for commands in the background. The handler is installed even then, because an interrupt
+    // that is sent to such a command is intended. If the system refuses the handler, an interrupt ends the command.
     let _ = ctrlc::set_handler(|| {
         if watch::request_stop() {
             std::process::exit(STATUS.into());
@@ -20,7 +20,7 @@ pub(crate) fn listen() {
         progress::aside(|| {
             if watch::keeps_pieces() {
                 complain!(
-                    "interrupted: the pieces under way are finished first; a second interrupt ends at once"
+                    "interrupted: finishing the current pieces first; a second interrupt ends the command at once"
                 );
             } else {
                 let left = watch::left().map_or(String::new(), |left| format!(": {left}"));

@@ -1,5 +1,5 @@
-//! The command `squirmers`: what a person sees of the comparisons. Arguments, files, pictures, tables and the page;
-//! whatever is computed is computed by `compare` and the crates below it.
+//! The command `squirmers`: its arguments, files, pictures, tables and web page. The crate `compare` and the crates
+//! below it do all computations.
 
 mod arguments;
 mod cli;

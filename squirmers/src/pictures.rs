@@ -1,4 +1,4 @@
-//! The pictures that a command writes, by their file names.
+//! The pictures that a command writes, with their file names.
 
 use crate::error::CommandError;
 use crate::figures::{self, FigureError};
@@ -14,7 +14,7 @@ pub(crate) struct Picture {
     pub(crate) svg: String,
 }
 
-/// Trajectories and deflections of one approach, as far as so many runs are drawn; none without runs.
+/// Pictures of the trajectories and deflections of one approach, as far as `drawn` allows; none without runs.
 pub(crate) fn of_encounters(
     approach: Approach,
     encounters: &[Encounter],
@@ -31,17 +31,17 @@ pub(crate) fn of_encounters(
     Ok(pictures)
 }
 
-/// The offset sensitivity; none without runs.
+/// Picture of the changes by an offset out of the plane; none without runs.
 pub(crate) fn of_offsets(rows: &[OffsetRow]) -> Result<Option<Picture>, CommandError> {
     picture("offset.svg".to_owned(), figures::offset(rows))
 }
 
-/// Trajectories under gravity; none without runs.
+/// Picture of the trajectories under gravity; none without runs.
 pub(crate) fn of_bottom_heavy(runs: &[PanelRun]) -> Result<Option<Picture>, CommandError> {
     of_panels("bottom-heavy.svg", "Bottom-heavy squirmers", runs)
 }
 
-/// Trajectories of pairs, a panel for each start; none without runs.
+/// Picture of trajectories with a panel for each start; none without runs.
 pub(crate) fn of_panels(
     file_name: &str,
     title: &str,
@@ -50,9 +50,9 @@ pub(crate) fn of_panels(
     picture(file_name.to_owned(), figures::panels(runs, title))
 }
 
-/// Leaves out a picture of nothing. This is the one place that says when: where there are no runs, or paths of them were
-/// not kept, a figure is [`FigureError::Empty`]. Runs that failed have a picture that says "no data" in each panel: it
-/// takes the place of one that an earlier command has left.
+/// Leaves out an empty picture. A figure is [`FigureError::Empty`] if there are no runs, or if their paths were not
+/// kept. If all runs failed, there is a picture with "no data" in each panel. It replaces the picture of an earlier
+/// command.
 fn picture(
     file_name: String,
     svg: Result<String, FigureError>,
@@ -64,7 +64,7 @@ fn picture(
     }
 }
 
-/// A picture for each method, beta and bottom-heaviness.
+/// One map for each method, beta and bottom-heaviness.
 pub(crate) fn of_scatter(rows: &[ScatterRow]) -> Result<Vec<Picture>, CommandError> {
     let same = |a: &ScatterRow, b: &ScatterRow| {
         let key = |row: &ScatterRow| (row.beta.to_bits(), row.g.to_bits());
@@ -83,13 +83,13 @@ pub(crate) fn of_scatter(rows: &[ScatterRow]) -> Result<Vec<Picture>, CommandErr
     drawn.filter_map(Result::transpose).collect()
 }
 
-/// Shares against beta, or against bottom-heaviness.
+/// Picture of the shares as a function of beta or of the bottom-heaviness.
 pub(crate) fn of_fates(rows: &[FateRow]) -> Result<Vec<Picture>, CommandError> {
     let drawn = picture("fates.svg".to_owned(), figures::fates(rows))?;
     Ok(drawn.into_iter().collect())
 }
 
-/// A picture for each method and pair.
+/// One map for each method and pair.
 pub(crate) fn of_trust(rows: &[TrustRow]) -> Result<Vec<Picture>, CommandError> {
     let drawn = rows.chunk_by(compare::maps::same_map).map(|map| {
         let svg = figures::trust(map);
@@ -105,7 +105,7 @@ pub(crate) fn of_trust(rows: &[TrustRow]) -> Result<Vec<Picture>, CommandError> 
     drawn.filter_map(Result::transpose).collect()
 }
 
-/// A picture of the shares against the offset for each method and bottom-heaviness with several offsets.
+/// One picture of the shares as a function of the offset, for each method and bottom-heaviness with several offsets.
 pub(crate) fn of_trust_against_offset(
     shares: &[TrustShares],
 ) -> Result<Vec<Picture>, CommandError> {
@@ -124,7 +124,7 @@ pub(crate) fn of_trust_against_offset(
     drawn.filter_map(Result::transpose).collect()
 }
 
-/// A name of a map: its numbers are short, and no two of them are written alike.
+/// File name of a map. Its numbers are short, and different numbers give different names.
 fn map_name(name: &str, method: &str, Pair { beta, g, dz }: Pair) -> String {
     let beta = written(beta);
     let (gravity, offset) = (suffix("g", g), suffix("dz", dz));

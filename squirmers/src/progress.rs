@@ -1,4 +1,4 @@
-//! Progress of long work on standard error: a line that is redrawn on a terminal, a plain line a minute elsewhere.
+//! Progress of long work on standard error: a line that is redrawn on a terminal, otherwise a plain line each minute.
 
 use std::fmt::Arguments;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
@@ -12,16 +12,16 @@ use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 
 use crate::streams::complain;
 
-/// Time between plain lines: work that takes less has none.
+/// Time between plain lines. Shorter work prints none.
 const INTERVAL: Duration = Duration::from_secs(60);
 
-/// Time between the pictures of a line on a terminal.
+/// Time after which a line on a terminal is redrawn.
 const REDRAWN: Duration = Duration::from_millis(200);
 
-/// The lines of all work under way, which may be within other work.
+/// The lines of all running work. Work may be part of other work.
 static LINES: LazyLock<MultiProgress> = LazyLock::new(MultiProgress::new);
 
-/// Does something while the lines of the work under way are not on the terminal.
+/// Calls `speak` while the lines of progress are hidden.
 pub(crate) fn aside(speak: impl FnOnce()) {
     LINES.suspend(speak);
 }
@@ -84,7 +84,7 @@ impl Stretch {
         }
     }
 
-    /// What comes before the total, and after it.
+    /// The words before the total and after it.
     fn around_total(&self) -> (&'static str, &'static str) {
         match self.work.pieces {
             Pieces::Alike | Pieces::Unlike => ("", ""),
@@ -93,12 +93,12 @@ impl Stretch {
         }
     }
 
-    /// Whether the time left follows from the time gone.
+    /// Whether the remaining time can be estimated from the elapsed time.
     fn tells_time_left(&self) -> bool {
         matches!(self.work.pieces, Pieces::Alike | Pieces::Gaps)
     }
 
-    /// The line on a terminal.
+    /// Template of the line on a terminal.
     fn template(&self) -> String {
         let (what, (of, unit)) = (self.work.what, self.around_total());
         let left = if self.tells_time_left() {
@@ -109,7 +109,7 @@ impl Stretch {
         format!("{what} {{wide_bar}} {{pos}} of {of}{{len}}{unit} [{{elapsed}}{left}]")
     }
 
-    /// The line elsewhere, when so much time has gone.
+    /// The plain line after the elapsed time `gone`.
     fn line(&self, gone: Duration) -> String {
         let (what, (of, unit)) = (self.work.what, self.around_total());
         let (done, total) = (self.done.load(Relaxed), self.total.load(Relaxed));
@@ -125,7 +125,7 @@ impl Stretch {
     }
 }
 
-/// A time to the second, or to the minute where it is hours.
+/// A time in words: in seconds, or in minutes if it is longer than an hour.
 fn time(time: Duration) -> String {
     let seconds = time.as_secs();
     match (seconds / 3600, seconds / 60 % 60, seconds % 60) {
@@ -135,7 +135,7 @@ fn time(time: Duration) -> String {
     }
 }
 
-/// A time to the minute, where it is more than one.
+/// A rough time in words: in minutes if it is longer than a minute.
 fn rough_time(left: Duration) -> String {
     let minutes = (left.as_secs() + 30) / 60;
     match minutes {
@@ -145,10 +145,10 @@ fn rough_time(left: Duration) -> String {
     }
 }
 
-/// A thread that reports how far some work is again and again.
+/// A thread that reports the progress of some work at regular times.
 struct Reports {
     stretch: Arc<Stretch>,
-    /// The thread ends when this is gone.
+    /// The thread ends when this sender is dropped.
     going_on: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,
 }
@@ -166,7 +166,7 @@ impl Reports {
         Self {
             stretch,
             going_on: Some(going_on),
-            // Without a thread there are no reports, and the work is done all the same.
+            // If no thread can be started, the work goes on without reports.
             thread: Builder::new().spawn(reports).ok(),
         }
     }

@@ -1,4 +1,4 @@
-//! What made a result: command, version, machine, date.
+//! Provenance of a result: command, version, machine, date.
 
 use std::time::SystemTime;
 
@@ -23,7 +23,7 @@ pub(crate) fn of(arguments: &[String], seconds: f64) -> Provenance {
     }
 }
 
-/// Name of the processor, where the system tells.
+/// Name of the processor, if the system reports it.
 fn processor() -> String {
     let information = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     (information.lines())

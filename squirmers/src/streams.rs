@@ -1,4 +1,4 @@
-//! Standard output and standard error, which may be full or closed: neither ends the program by a panic.
+//! Standard output and standard error. If a stream is full or closed, the program does not panic.
 
 use std::fmt::Arguments;
 use std::io::{Error, ErrorKind, Write};
@@ -9,10 +9,11 @@ use compare::CompareError;
 
 use crate::error::CommandError;
 
-/// Why standard output took no more, the first time.
+/// The first error of standard output.
 static REFUSED: Mutex<Option<Error>> = Mutex::new(None);
 
-/// Writes to standard output; what goes wrong is told once, by [`refused`]. Who closes it has seen enough.
+/// Writes to standard output. [`refused`] reports the first error, at the end. A closed pipe is not an error: its
+/// reader needs no more lines.
 pub(crate) fn write_out(text: Arguments<'_>) {
     let mut out = std::io::stdout().lock();
     if let Err(error) = out.write_fmt(text).and_then(|()| out.flush())
@@ -23,15 +24,15 @@ pub(crate) fn write_out(text: Arguments<'_>) {
     }
 }
 
-/// Writes to standard error, if that is possible: there is nowhere else to tell.
+/// Writes to standard error. Ignores errors, because no other place could show them.
 pub(crate) fn write_error(text: Arguments<'_>) {
     let _ = std::io::stderr().lock().write_fmt(text);
 }
 
-/// What standard output refused to take.
+/// Reports the first error of standard output.
 ///
 /// # Errors
-/// [`CommandError::Write`] if it did.
+/// [`CommandError::Write`] if there was one.
 pub(crate) fn refused() -> Result<(), CommandError> {
     let refused = REFUSED
         .lock()
@@ -46,14 +47,14 @@ pub(crate) fn refused() -> Result<(), CommandError> {
     })
 }
 
-/// A line on standard output.
+/// Prints a line on standard output.
 macro_rules! say {
     ($($text:tt)+) => {
         $crate::streams::write_out(format_args!("{}\n", format_args!($($text)+)))
     };
 }
 
-/// A line on standard error.
+/// Prints a line on standard error.
 macro_rules! complain {
     ($($text:tt)+) => {
         $crate::streams::write_error(format_args!("{}\n", format_args!($($text)+)))

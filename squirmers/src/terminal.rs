@@ -1,4 +1,4 @@
-//! Tables on the terminal: no line is wider than it, and numbers stay whole.
+//! Tables on the terminal. They fit its width, and numbers are never broken into two lines.
 
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, Width, presets};
 
@@ -7,7 +7,7 @@ use crate::streams::say;
 /// Characters in a line of a terminal.
 const TERMINAL: u16 = 80;
 
-/// A table of words, which wrap before it is wider than a terminal.
+/// A table of words, which are wrapped to the width of the terminal.
 pub(crate) fn words(rows: impl Iterator<Item = Vec<String>>) -> Table {
     let mut table = Table::new();
     table
@@ -24,7 +24,7 @@ pub(crate) fn words(rows: impl Iterator<Item = Vec<String>>) -> Table {
 pub(crate) fn print_rows(header: &[&str], rows: impl Iterator<Item = Vec<String>>) {
     let mut table = Table::new();
     table.load_preset(presets::NOTHING).set_header(header);
-    // Headers wrap before a table is wider than a terminal; what is in it stays whole.
+    // Headers are wrapped to the width of the terminal; the other cells are not.
     table
         .set_content_arrangement(ContentArrangement::Dynamic)
         .set_width(TERMINAL);

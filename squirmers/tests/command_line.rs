@@ -531,5 +531,5 @@ fn help_names_the_methods_that_run_and_what_a_time_limit_leaves() {
     assert!(text.contains("[default: lt,exact]"), "{text}");
     assert!(text.contains("[default: 1e-8]"), "{text}");
     // Its runs are not kept.
-    assert!(!text.contains("goes on"), "{text}");
+    assert!(!text.contains("continues"), "{text}");
 }

@@ -92,7 +92,7 @@ fn goes_on(
     let left = format!("interrupted: {left} of {of} {pieces} are left; the same command");
     assert!(message.contains(&left), "{message}");
     assert!(message.contains(part.to_str().unwrap()), "{message}");
-    let twice = "a second interrupt ends at once";
+    let twice = "a second interrupt ends the command at once";
     assert!(message.contains(twice), "{message}");
     assert!(!message.contains("error"), "{message}");
     let whole = tempfile::tempdir().unwrap();
@@ -167,7 +167,7 @@ fn a_second_interrupt_ends_a_sweep_at_once() {
     let message = interrupted(child);
     assert!(began.elapsed() < Duration::from_secs(5));
     assert!(
-        message.contains("the pieces under way are finished first"),
+        message.contains("finishing the current pieces first"),
         "{message}"
     );
 }

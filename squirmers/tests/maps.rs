@@ -171,7 +171,7 @@ fn an_interrupted_map_is_not_thrown_away_by_another_one_unless_that_is_asked_for
     let fresh = squirmers(out, &[&other[..], &["--fresh"]].concat());
     let message = String::from_utf8(fresh.stderr).unwrap();
     assert!(
-        fresh.status.success() && message.contains("thrown away"),
+        fresh.status.success() && message.contains("is deleted"),
         "{message}"
     );
     assert_eq!(text(out, "scatter.csv").lines().count(), 1 + 36);

@@ -1,11 +1,10 @@
-//! Error of the outgoing angles against the time of a trajectory, with the stepper's tolerance as
-//! the knob.
+//! Error of the outgoing angles against the time of a trajectory, for several tolerances of the integrator.
 //!
-//! The referee is the exact series read from a table at their own noise, with a much tighter stepper.
-//! A model's trajectory with that stepper tells the two parts of its error: how far the tight
-//! trajectory is from the referee's is the model's, how far the loose one is from the tight one the
-//! integration's. Where every load is solved for, the tight trajectory is that of the same model's
-//! table, which is its loads to [`BEM_TABLE_TOLERANCE`](crate::BEM_TABLE_TOLERANCE) or better.
+//! The reference trajectory uses a table of the exact series, as accurate as the rounding noise of the series allows,
+//! and a much smaller tolerance. Each model also has a trajectory with this small tolerance. Its difference from the
+//! reference is the model error. The difference of the measured trajectory from it is the integration error. For a
+//! model that solves for every load, this trajectory uses a table of the model, which equals the model's loads to
+//! [`BEM_TABLE_TOLERANCE`](crate::BEM_TABLE_TOLERANCE) or better.
 
 use std::time::Instant;
 
@@ -19,23 +18,23 @@ use super::timing::timed;
 use super::{CostOptions, CostRow, LOADS, Part, run_any, run_lubrication};
 use crate::{Approach, Case, CompareError, Defaults, Method};
 
-/// Tolerances of the stepper.
+/// Tolerances of the integrator for models in closed form and with a table.
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
-/// The same where every load is solved for by the series, and by boundary elements.
+/// Tolerances of the integrator for models that solve for every load: the series, and boundary elements.
 const SERIES_TOLERANCES: &[f64] = &[1e-4, 1e-6];
 const BEM_TOLERANCES: &[f64] = &[1e-4];
 
-/// The referee's tolerance of the stepper.
+/// Tolerance of the integrator for the reference.
 const REFEREE: f64 = 1e-13;
 
-/// A scene run at a tolerance, through the loop by which the commands run the model.
+/// Runs a scene at a tolerance, through the loop by which the commands run the model.
 type RunAt<'a> = Box<dyn Fn(&Scene, f64) -> Result<Run, SceneError> + 'a>;
 
-/// A model to be measured.
+/// A model to measure.
 struct Entrant<'a> {
     name: String,
-    /// Seconds of building its table; of one solve, for a model without a table.
+    /// Seconds to build its table; for a model without a table, seconds of one solve.
     set_up_seconds: f64,
     run: RunAt<'a>,
 }
@@ -105,23 +104,23 @@ pub(super) fn measure(
             tightest,
         });
     }
-    // The typical case first: time may be up before the last.
+    // The typical case comes first, because the time limit may leave out the last cases.
     references.sort_by_key(|reference| !is_typical(&reference.case));
     direct(options, tables, &references, rows)
 }
 
-/// What the trajectories of a case are measured against.
+/// The trajectories with which those of a case are compared.
 struct Reference {
     case: Case,
     scene: Scene,
-    /// The referee's.
+    /// The reference trajectory.
     run: Run,
-    /// The tightest of each model with a table, by its name.
+    /// For each model with a table, its name and its trajectory with the smallest tolerance.
     tightest: Vec<(String, Result<Run, SceneError>)>,
 }
 
 impl Reference {
-    /// The tightest trajectory of the table of `model`.
+    /// The trajectory with the smallest tolerance by the table of `model`.
     fn tightest(&self, model: &str) -> Result<Run, SceneError> {
         let name = format!("{model}-table");
         let found = self.tightest.iter().find(|(of, _)| *of == name);
@@ -129,23 +128,23 @@ impl Reference {
     }
 }
 
-/// What stands for a trajectory that was not computed.
+/// The error in place of a trajectory that was not computed.
 const UNKNOWN: SceneError = SceneError::NotFinite {
     what: "tight trajectory of a model without a table",
     value: f64::NAN,
 };
 
-/// A model whose every load is solved for.
+/// A model that solves for every load.
 struct Direct<'a> {
     entrant: Entrant<'a>,
     tolerances: &'static [f64],
-    /// Whether it runs in every case, or in the typical one alone.
+    /// Whether it runs in every case, or only in the typical one.
     everywhere: bool,
 }
 
-/// Trajectories in which every load is solved for. One that may be expected, by the time of a solve
-/// and the loads that a tabulated trajectory takes, to end after the time allowed for all is left
-/// out, with NaN.
+/// Trajectories in which every load is solved for. The expected time is the time of one solve times the number of
+/// loads that a tabulated trajectory reads. A trajectory that would exceed the time allowed for all of them is left
+/// out, and its row has NaN.
 fn direct(
     options: &CostOptions,
     tables: &Tables,
@@ -200,14 +199,13 @@ fn direct(
     Ok(())
 }
 
-/// Refinement level of the boundary elements that solve every case without a table; its loads are
-/// good to about 1e-3.
+/// Level of the boundary elements that run every case without a table. Its loads are accurate to about 1e-3.
 pub(super) const COARSE_LEVEL: usize = 1;
 
-/// Seconds of one solve where collisions go.
+/// Seconds of one solve at a gap that is typical of collisions.
 fn seconds_of_solve<M: Hydrodynamics>(model: &M) -> Result<f64, SceneError> {
     let gap = Gap::new(0.01)?;
-    // Limiting forms are fitted once, when first needed: trial steps may go far.
+    // The first solve also fits the limiting forms, once; this is not part of the measured time.
     model.loads(Gap::new(1e3)?, LOADS)?;
     model.loads(gap, LOADS)?;
     let started = Instant::now();
@@ -215,7 +213,7 @@ fn seconds_of_solve<M: Hydrodynamics>(model: &M) -> Result<f64, SceneError> {
     Ok(started.elapsed().as_secs_f64())
 }
 
-/// The collision of Fig. 6 that is neither the closest nor a near miss.
+/// Whether this is the typical collision of Fig. 6, which is neither the closest one nor a near miss.
 fn is_typical(case: &Case) -> bool {
     case.approach == Approach::HeadOn && (case.dx - 2.0).abs() < 0.5
 }
@@ -246,7 +244,7 @@ fn row(model: &str, tolerance: f64, case: &Case) -> CostRow {
     CostRow::new(Part::Deflection, model, ("tolerance", tolerance), name)
 }
 
-/// Fills in errors, counters and time, unless the run failed.
+/// Fills in errors, counters and time if the run has a result.
 fn fill(
     row: &mut CostRow,
     seconds: f64,
@@ -266,8 +264,8 @@ fn fill(
     }
 }
 
-/// Largest and root-mean-square difference of the two outgoing angles, in degrees; NaN unless both
-/// pairs parted, since a bound pair has none.
+/// Largest and root-mean-square difference of the two outgoing angles, in degrees. NaN unless both pairs parted,
+/// because a bound pair has no outgoing angles.
 fn difference(found: &Run, reference: &Run) -> (f64, f64) {
     let parted = |run: &Run| run.outcome == Outcome::Scattered;
     if !(parted(found) && parted(reference)) {

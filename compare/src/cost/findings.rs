@@ -1,4 +1,4 @@
-//! What the rows come to: ratios, exponents and break-evens, each with what it is of.
+//! Numbers that follow from the measured rows: ratios, exponents and break-even points.
 
 use serde::Serialize;
 
@@ -8,12 +8,12 @@ use super::scaling::{BEM_PARTS, SWEEP};
 use super::{CostRow, Part};
 use crate::Method;
 
-/// One number that follows from measured rows; NaN where they do not hold it.
+/// One number that follows from the measured rows; NaN if they do not contain it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finding {
-    /// What it says.
+    /// Name of the number.
     pub finding: String,
-    /// Of what.
+    /// The model or the measurement that the number describes.
     pub of: String,
     /// The number.
     pub value: f64,
@@ -32,7 +32,7 @@ impl Finding {
     }
 }
 
-/// Everything that the rows say in short.
+/// All numbers that follow from the rows.
 #[must_use]
 pub fn findings(rows: &[CostRow]) -> Vec<Finding> {
     let mut findings = speeds(rows);
@@ -59,9 +59,9 @@ pub fn findings(rows: &[CostRow]) -> Vec<Finding> {
 
 /// Name of the finding on the time of a collision.
 pub const COLLISION: &str = "slowest collision of Fig. 6, tol 1e-8";
-/// Name of the finding on the price of a right-hand side.
+/// Name of the finding on the cost of a right-hand side.
 pub const RIGHT_HAND_SIDES: &str = "right-hand side over lubrication's";
-/// Name of the finding on the price of solving instead of tabulating.
+/// Name of the finding on the cost of solving for every load instead of reading a table.
 pub const DIRECT: &str = "solved trajectory over tabulated, least";
 
 /// Times of trajectories, right-hand sides and velocities, and their ratios.
@@ -107,7 +107,7 @@ fn speeds(rows: &[CostRow]) -> Vec<Finding> {
     ]
 }
 
-/// What the tables take, once, each the longest of those that were built to different tolerances.
+/// Time to build each table, once. Of tables with several tolerances, the longest time counts.
 fn set_ups(rows: &[CostRow]) -> impl Iterator<Item = Finding> {
     tabulated(rows).into_iter().map(|model| {
         let seconds = (rows.iter())
@@ -143,8 +143,8 @@ fn is_trajectory(row: &CostRow, model: &str, tolerance: f64) -> bool {
     row.part == Part::Deflection && row.model == model && (row.value / tolerance - 1.0).abs() < 1e-9
 }
 
-/// Smallest ratio over the cases of the time of a trajectory by `direct` to that by the exact table at
-/// the same tolerance.
+/// Time of a trajectory by `direct`, divided by the time by the exact table at the same tolerance: the smallest ratio
+/// of all cases.
 fn direct_over_table(rows: &[CostRow], direct: &str) -> f64 {
     let seconds = |case: &str| {
         (rows.iter())
@@ -157,7 +157,7 @@ fn direct_over_table(rows: &[CostRow], direct: &str) -> f64 {
         .fold(f64::NAN, f64::min)
 }
 
-/// How much faster two threads are than one.
+/// Speed-up by two threads instead of one.
 fn sweeps(rows: &[CostRow]) -> Vec<Finding> {
     let by = |threads: &'static str| {
         (rows.iter()).filter(move |r| r.model == SWEEP && r.gap_or_case == threads)
@@ -175,8 +175,8 @@ fn sweeps(rows: &[CostRow]) -> Vec<Finding> {
         .collect()
 }
 
-/// Exponent of the power law through the times of `model` against its knob, by least squares of the
-/// logarithms; NaN for fewer than two points.
+/// Exponent of a power law for the times of `model` as a function of the varied quantity, by least squares of the
+/// logarithms. NaN for fewer than two points.
 fn exponent(rows: &[CostRow], model: &str) -> f64 {
     let points: Vec<_> = (rows.iter())
         .filter(|row| row.part == Part::Scaling && row.model == model)
@@ -190,9 +190,9 @@ fn exponent(rows: &[CostRow], model: &str) -> f64 {
     covariance / variance
 }
 
-/// Trajectories after which a table has paid for itself: its set-up over what a trajectory saves,
-/// for the models with a table, by the median over the cases at the tolerance 1e-8 and the time of
-/// one solve at the gap 0.01.
+/// Number of trajectories after which a table has saved as much time as its building took: set-up time divided by the
+/// time that a table saves per trajectory. Uses the median over the cases at the tolerance 1e-8, and the time of one
+/// solve at the gap 0.01.
 fn break_even(rows: &[CostRow]) -> Vec<(String, f64)> {
     let of = |model: &str| {
         let mine: Vec<&CostRow> = (rows.iter())
@@ -212,7 +212,7 @@ fn break_even(rows: &[CostRow]) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// Seconds of one solve at the gap 0.01 by the model behind the table `model`.
+/// Seconds of one solve at the gap 0.01 by the model that is tabulated in `model`.
 fn seconds_of_solve(rows: &[CostRow], model: &str) -> f64 {
     let behind = model.trim_end_matches("-table");
     let (name, value) = match behind.strip_prefix("bem-") {

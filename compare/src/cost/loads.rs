@@ -10,13 +10,13 @@ use super::timing::timed;
 use super::{CostOptions, CostRow, LOADS, Part};
 use crate::{CompareError, Method};
 
-/// Gaps at which loads are compared, in radii.
+/// Gaps at which loads are compared with the reference, in radii.
 const GAPS: [f64; 4] = [1.0, 0.1, 0.01, 0.001];
 
-/// Factors of the number of terms of the series.
+/// Factors by which the number of terms of the series is multiplied.
 const TERMS: [f64; 5] = [0.25, 0.35, 0.5, 0.7, 1.0];
 
-/// The referee's factor of the number of terms.
+/// The factor of the number of terms for the reference.
 pub(super) const REFEREE_TERMS: f64 = 1.5;
 
 pub(super) fn measure(
@@ -54,7 +54,7 @@ pub(super) fn measure(
             let knob = ("level", model.level() as f64);
             let before = model.solves();
             let mut row = at.row("bem", knob, || model.loads(gap, LOADS));
-            // The warm-up solved once more, unless it took so long that it was all.
+            // `timed` adds a warm-up call, unless the call is so slow that it runs only once.
             let warm_up = if row.repeats > 1 { 1 } else { 0 };
             row.solves = (model.solves() - before) as f64 / (row.repeats + warm_up) as f64;
             rows.push(row);
@@ -63,7 +63,7 @@ pub(super) fn measure(
     Ok(())
 }
 
-/// A gap with the referee's loads.
+/// A gap with the reference loads.
 struct At {
     gap: Gap,
     reference: PairLoads,
@@ -87,7 +87,7 @@ impl At {
     }
 
     fn table_row(&self, built: &Built) -> CostRow {
-        // From its logarithm, as a trajectory asks.
+        // The gap comes from its logarithm, as in a trajectory.
         let ln_gap = self.gap.ln();
         let knob = ("table tolerance", built.tolerance);
         let mut row = self.row(&built.name, knob, || {

@@ -1,8 +1,8 @@
-//! What accuracy costs in time: error against time for every method and knob, as measured rows.
+//! What accuracy costs in time: measured error and time for every method and setting.
 //!
-//! After the work-precision diagrams of SciMLBenchmarks: times are the smallest of repeats after a
-//! warm-up, every norm of the error is kept, the referee is a tighter solve of the exact series, and
-//! what failed is a row of NaN.
+//! This follows the work-precision diagrams of SciMLBenchmarks. A time is the smallest of several repeats after a
+//! warm-up. Rows hold the maximum norm and the root mean square of the error. The reference is the exact series with
+//! more terms and a tighter tolerance. A failure gives a row of NaN.
 
 mod deflections;
 mod findings;
@@ -27,38 +27,37 @@ pub use row::{CostRow, Part, read};
 
 use tables::Tables;
 
-/// How much is measured.
+/// How much to measure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CostOptions {
-    /// Fewer levels, cases and repeats: within a minute instead of ten.
+    /// Fewer levels, cases and repeats: one minute instead of ten.
     pub quick: bool,
 }
 
 impl CostOptions {
-    /// Highest refinement level of the boundary elements whose loads are solved for.
+    /// Highest level of boundary elements whose loads are measured.
     fn highest_level(&self) -> usize {
         if self.quick { 2 } else { 5 }
     }
 
-    /// Refinement levels of the boundary elements that are tabulated.
+    /// Levels of boundary elements that are tabulated.
     fn table_levels(&self) -> &'static [usize] {
         if self.quick { &[1] } else { &[1, 2, 3] }
     }
 
-    /// Seconds that all runs without a table may take together; what would take longer is left out.
+    /// Largest time in seconds of all runs without a table together. Runs that would take longer are left out.
     fn direct_limit(&self) -> f64 {
         if self.quick { 10.0 } else { 300.0 }
     }
 }
 
-/// Parts that [`measure`] tells of.
+/// Number of parts of [`measure`].
 pub const STAGES: usize = 5;
 
-/// Measures everything; `done` is called after each of the [`STAGES`].
+/// Measures everything, and calls `done` after each of the [`STAGES`].
 ///
 /// # Errors
-/// [`CompareError`] if the referee or the paper's cases fail; a failure of what is measured is a row
-/// of NaN.
+/// [`CompareError`] if the reference or the paper's cases fail. A measurement that fails gives a row of NaN.
 pub fn measure(options: &CostOptions, done: &dyn Fn()) -> Result<Vec<CostRow>, CompareError> {
     let mut rows = Vec::new();
     let tables = Tables::build(options)?;
@@ -76,7 +75,7 @@ pub fn measure(options: &CostOptions, done: &dyn Fn()) -> Result<Vec<CostRow>, C
     Ok(rows)
 }
 
-/// A scene by lubrication theory, through its own compiled loop.
+/// Runs a scene by lubrication theory, through its own compiled loop.
 fn run_lubrication(
     scene: &Scene,
     model: &Lubrication,
@@ -85,7 +84,7 @@ fn run_lubrication(
     model.run(&Plan::new(scene)?, options, &mut |_| {})
 }
 
-/// A scene by any other model, through the loop that all others share.
+/// Runs a scene by any other model, through the loop that all others share.
 fn run_any(
     scene: &Scene,
     model: &dyn Hydrodynamics,
@@ -94,5 +93,5 @@ fn run_any(
     scene::run_any(&Plan::new(scene)?, model, options, &mut |_| {})
 }
 
-/// Loads of the paper's cases.
+/// Loads that the paper's cases read.
 const LOADS: LoadSet = LoadSet::all(2);

@@ -1,4 +1,4 @@
-//! Where the time of a trajectory goes, and what one velocity of the pair costs at any gap.
+//! How the time of a trajectory divides into its parts, and what one velocity of the pair costs at any gap.
 
 use std::hint::black_box;
 
@@ -16,21 +16,21 @@ use super::timing::timed;
 use super::{CostRow, LOADS, Part, run_any, run_lubrication};
 use crate::{CompareError, Method};
 
-/// Logarithms of gaps of a collision.
+/// Logarithms of the gaps of a collision.
 const LN_GAPS: [f64; 8] = [-5.3, -0.2, -3.1, -4.6, -1.7, -0.9, -2.4, -3.9];
 
-/// Powers of ten of the gaps at which a velocity is timed: from what the exact table leaves to the
-/// limiting form, to where the pair is as good as alone.
+/// Powers of ten of the gaps at which a velocity is timed: from gaps below the exact table, where its limiting form
+/// applies, to gaps at which the squirmers hardly interact.
 const DECADES: std::ops::RangeInclusive<i32> = -9..=4;
 
-/// Smallest power of ten at which the series answer in time: their terms go as `1/sqrt(eps)`.
+/// Smallest power of ten at which the series are fast enough: their number of terms grows as `1/sqrt(eps)`.
 const SERIES_FROM: i32 = -6;
 
 /// Angles of the two orientations from the direction to the other sphere, in radians.
 const ANGLES: [[f64; 2]; 4] = [[0.3, 0.3], [1.2, -0.4], [2.0, 2.9], [-1.5, 0.9]];
 
-/// Where a trajectory's time goes: the loads alone, with the force balance and its sines, and a
-/// whole collision per right-hand side.
+/// Times per right-hand side: the loads alone; the loads with the force balance and its sines; a whole collision
+/// divided by its right-hand sides.
 pub(super) fn right_hand_sides(
     tables: &Tables,
     rows: &mut Vec<CostRow>,
@@ -123,9 +123,9 @@ fn balanced(
     pair_velocity(gap, loads, squirmers, &headings, &external)
 }
 
-/// Time and error of a velocity by the exact table as the commands use it, at gaps far below and
-/// above those that it holds; the error is the largest of any component, in swimming speeds, against
-/// the series with more terms, where these answer in time.
+/// Time and error of a velocity by the exact table, as the commands use it, also at gaps far below and above those in
+/// the table. The error is the largest error of any component, in swimming speeds, against the series with more
+/// terms, at gaps where the series are fast enough.
 pub(super) fn velocities(tables: &Tables, rows: &mut Vec<CostRow>) -> Result<(), CompareError> {
     let table = &tables.usual_exact().table;
     let referee = Exact::with_terms(REFEREE_TERMS).map_err(SceneError::from)?;
@@ -167,10 +167,10 @@ pub(super) fn velocities(tables: &Tables, rows: &mut Vec<CostRow>) -> Result<(),
     Ok(())
 }
 
-/// Knob of the rows of a right-hand side.
+/// Entry in the column `knob` of the rows of a right-hand side.
 pub(super) const RIGHT_HAND_SIDE: &str = "right-hand side with its share of the step";
 
-/// Knob of the rows of [`velocities`].
+/// Entry in the column `knob` of the rows of [`velocities`].
 pub(super) const VELOCITY_AT_ANY_GAP: &str = "velocity at gap";
 
 /// Largest difference of any component, in swimming speeds.

@@ -1,4 +1,4 @@
-//! The cheapest method and knobs that reach a target, from the measured rows.
+//! The cheapest method and tolerance that reach a target, from the measured rows.
 
 use serde::Serialize;
 
@@ -6,29 +6,29 @@ use super::{CostRow, Part};
 use crate::CompareError;
 use crate::numbers::point_hint;
 
-/// The cheapest way to the target in one case; NaN and `none` where nothing that was measured reaches
-/// it. The orders of the columns are those of `cost-target.csv`.
+/// A line of `cost-target.csv`: the cheapest method that reaches the target in one case. NaN and `none` if no
+/// measured method reaches it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Recommendation {
     /// The case.
     pub case: String,
-    /// Largest error of the outgoing angles that is allowed, in degrees.
+    /// The target: the largest error of the outgoing angles that is allowed, in degrees.
     pub target_deg: f64,
-    /// The model that takes the shortest time a trajectory, set-up left out.
+    /// The model with the shortest time per trajectory, without its set-up.
     pub model: String,
-    /// Its tolerance of the stepper.
+    /// Tolerance of the integrator for this model.
     pub tolerance: f64,
-    /// Its error, in degrees.
+    /// Error of this model, in degrees.
     pub error_deg: f64,
     /// Seconds of one trajectory.
     pub seconds: f64,
-    /// Seconds of setting it up, once.
+    /// Seconds to set this model up, once.
     pub set_up_seconds: f64,
-    /// The model that takes the shortest time for a single trajectory, set-up included.
+    /// The model with the shortest time for a single trajectory, including its set-up.
     pub model_for_one: String,
 }
 
-/// The cheapest method and knobs in each case, in the order of the rows.
+/// The cheapest method and tolerance in each case, in the order of the rows.
 #[must_use]
 pub fn recommend(rows: &[CostRow], target_deg: f64) -> Vec<Recommendation> {
     let deflections = || rows.iter().filter(|row| row.part == Part::Deflection);
@@ -65,10 +65,10 @@ pub fn recommend(rows: &[CostRow], target_deg: f64) -> Vec<Recommendation> {
     cases.iter().map(of).collect()
 }
 
-/// A target such as `0.1deg`, in degrees.
+/// Parses a target such as `0.1deg`, in degrees.
 ///
 /// # Errors
-/// [`CompareError::Input`] unless it is a positive number with or without `deg`.
+/// [`CompareError::Input`] unless the text is a positive number with or without `deg`.
 pub fn parse_target(text: &str) -> Result<f64, CompareError> {
     let number = text.trim().trim_end_matches("deg").trim();
     match number.parse::<f64>() {

@@ -1,4 +1,4 @@
-//! One measurement, a line of `cost.csv`.
+//! One measurement: a line of `cost.csv`.
 
 use std::fmt;
 
@@ -6,17 +6,17 @@ use serde::{Deserialize, Serialize};
 
 use crate::CompareError;
 
-/// What was measured.
+/// The kinds of measurements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Part {
-    /// Loads at a gap; errors relative to the larger of the load and 1.
+    /// Loads at a gap. Errors are relative to the larger of the load and 1.
     Loads,
-    /// A trajectory; errors of the outgoing angles in degrees.
+    /// A trajectory. Errors are those of the outgoing angles, in degrees.
     Deflection,
-    /// Time against unknowns, trajectories and threads.
+    /// Time as a function of the number of unknowns, trajectories or threads.
     Scaling,
-    /// Where a trajectory's time goes.
+    /// Times of the parts of a trajectory.
     Profile,
 }
 
@@ -31,17 +31,17 @@ impl fmt::Display for Part {
     }
 }
 
-/// One measurement. What does not apply, and what failed, is NaN.
+/// One measurement. Numbers that do not apply, or that failed, are NaN.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CostRow {
-    /// What was measured.
+    /// The kind of this measurement.
     pub part: Part,
     /// The model, with `-table` where its loads are read from a table, and the level of boundary
     /// elements.
     pub model: String,
-    /// What was varied.
+    /// Name of the quantity that is varied.
     pub knob: String,
-    /// Its value.
+    /// Value of the quantity that is varied.
     pub value: f64,
     /// The gap in radii, or the case.
     pub gap_or_case: String,
@@ -49,30 +49,30 @@ pub struct CostRow {
     pub error: f64,
     /// Root mean square of the errors.
     pub error_rms: f64,
-    /// The part of the largest error that the loads cause, whatever the stepper's tolerance.
+    /// The part of the largest error that comes from the loads, for any tolerance of the integrator.
     pub model_error: f64,
-    /// The part of the largest error that the stepper's tolerance causes.
+    /// The part of the largest error that comes from the tolerance of the integrator.
     pub integration_error: f64,
-    /// Seconds of wall-clock time of one evaluation or trajectory, without set-up.
+    /// Wall-clock time of one evaluation or trajectory without set-up, in seconds.
     pub seconds: f64,
-    /// Seconds of wall-clock time of setting the model up, once.
+    /// Wall-clock time to set up the model, once, in seconds.
     pub set_up_seconds: f64,
-    /// Evaluations that were timed.
+    /// Number of evaluations that were timed.
     pub repeats: u64,
-    /// Accepted steps.
+    /// Number of accepted steps.
     pub steps: f64,
-    /// Rejected steps.
+    /// Number of rejected steps.
     pub rejected: f64,
-    /// Loads evaluated: gaps for a table, right-hand sides for a trajectory.
+    /// Number of evaluations of the loads: gaps of a table, or right-hand sides of a trajectory.
     pub loads: f64,
-    /// Dense systems factorised in one evaluation.
+    /// Number of dense systems factorised in one evaluation.
     pub solves: f64,
-    /// The most memory that the process has held so far, in MiB.
+    /// Largest memory that the process has used so far, in MiB.
     pub peak_memory_mib: f64,
 }
 
 impl CostRow {
-    /// A row in which nothing has been measured yet.
+    /// A row without measured numbers.
     pub fn new(
         part: Part,
         model: impl Into<String>,
@@ -101,7 +101,7 @@ impl CostRow {
     }
 }
 
-/// The most memory that the process has held so far, where the system tells.
+/// Largest memory that the process has used so far; `None` if the system does not report it.
 fn peak_memory_mib() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"))?;
@@ -109,10 +109,10 @@ fn peak_memory_mib() -> Option<f64> {
     Some(kib / 1024.0)
 }
 
-/// Rows of a CSV text.
+/// Reads rows from CSV text.
 ///
 /// # Errors
-/// [`CompareError::Rows`] if it is not one of `cost.csv`.
+/// [`CompareError::Rows`] if the text does not have the columns of `cost.csv`.
 pub fn read(csv: &str) -> Result<Vec<CostRow>, CompareError> {
     let mut reader = csv::Reader::from_reader(csv.as_bytes());
     let rows = reader.deserialize().collect::<Result<_, _>>()?;

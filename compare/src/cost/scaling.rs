@@ -1,4 +1,4 @@
-//! Time against size: unknowns of boundary elements, trajectories and threads of sweeps.
+//! Time as a function of size: unknowns of boundary elements, trajectories and threads of sweeps.
 
 use std::time::Duration;
 
@@ -11,22 +11,22 @@ use super::timing::timed_within;
 use super::{CostOptions, CostRow, LOADS, Part, run_any};
 use crate::{Approach, Case, CompareError};
 
-/// Gap at which boundary elements are solved.
+/// Gap at which boundary elements are solved, in radii.
 const GAP: f64 = 0.1;
 
-/// Unknowns on both spheres together before symmetry is used: three a vertex.
+/// Unknowns on both spheres together, before symmetry is used: three per vertex.
 const UNKNOWNS_A_NODE: usize = 6;
 
-/// Offsets of the paths in a sweep, in radii: all collide.
+/// Offsets of the paths in a sweep, in radii. All pairs collide.
 const OFFSETS: (f64, f64) = (0.5, 3.0);
 
-/// Time given to the repeats of a sweep: both cores must have been free in the best of them.
+/// Time for the repeats of a sweep. It is long, so that both cores are free in at least one repeat.
 const SWEEP_BUDGET: Duration = Duration::from_millis(800);
 
 /// Names of the parts of a solve in the rows of [`boundary_elements`].
 pub(super) const BEM_PARTS: [&str; 3] = ["bem-assembly", "bem-factorisation", "bem-substitution"];
 
-/// Time against unknowns of assembly, factorisation and substitution.
+/// Times of assembly, factorisation and substitution for several numbers of unknowns.
 pub(super) fn boundary_elements(
     options: &CostOptions,
     rows: &mut Vec<CostRow>,
@@ -63,7 +63,7 @@ pub(super) fn boundary_elements(
 /// Model of the rows of [`sweeps`].
 pub(super) const SWEEP: &str = "exact-table-sweep";
 
-/// Sweeps of collisions by the exact table, by one thread and by two.
+/// Sweeps of collisions with the exact table, by one thread and by two threads.
 pub(super) fn sweeps(
     options: &CostOptions,
     tables: &Tables,

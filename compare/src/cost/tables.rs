@@ -1,4 +1,4 @@
-//! The tables that are measured, with what building them took.
+//! The tables that are measured, with the time to build each.
 
 use std::time::Instant;
 
@@ -11,39 +11,40 @@ use crate::model::{AnyModel, EXACT_TABLE_FROM};
 use crate::watch::{Pieces, Progress};
 use crate::{BEM_TABLE_TOLERANCE, CompareError, EXACT_TABLE_TOLERANCE};
 
-/// Smallest gap of the tables that only this measurement reads: below what repulsion lets the paper's pairs reach. At much smaller gaps
-/// the series' own noise is above the referee's tolerance, and its table would never be done.
+/// Smallest gap of the tables that only this measurement reads, in radii. Repulsion keeps the paper's pairs at larger
+/// gaps. At much smaller gaps the noise of the series is above the tolerance of the reference, whose table would never
+/// be finished.
 const SMALLEST_GAP: f64 = 5e-4;
 
-/// Tolerances of the exact tables, the last one the referee's.
+/// Tolerances of the exact tables; the last one is that of the reference.
 const EXACT_TOLERANCES: [f64; 4] = [1e-3, 1e-6, EXACT_TABLE_TOLERANCE, 1e-10];
 
-/// Tolerances of the tables of boundary elements at the lowest level; the others have the last.
+/// Tolerances of the tables of boundary elements at the lowest level. Other levels have only the last tolerance.
 const BEM_TOLERANCES: [f64; 3] = [1e-2, 1e-4, BEM_TABLE_TOLERANCE];
 
-/// A table, and what building it took.
+/// A table, and the time to build it.
 pub(super) struct Built {
-    /// As rows name it.
+    /// Name of the table in the rows.
     pub(super) name: String,
-    /// Refinement level of boundary elements, 0 for the series.
+    /// Level of the boundary elements; 0 for the series.
     pub(super) level: usize,
     pub(super) table: Tabulated<AnyModel>,
     pub(super) tolerance: f64,
     pub(super) seconds: f64,
 }
 
-/// All tables.
+/// All tables that are measured.
 pub(super) struct Tables {
-    /// By falling tolerance.
+    /// Tables of the exact series, sorted by falling tolerance.
     pub(super) exact: Vec<Built>,
-    /// By level and falling tolerance.
+    /// Tables of boundary elements, sorted by level and falling tolerance.
     pub(super) bem: Vec<Built>,
 }
 
 impl Tables {
     pub(super) fn build(options: &CostOptions) -> Result<Self, CompareError> {
         let exact = EXACT_TOLERANCES.map(|tolerance| {
-            // The usual one is that of the commands.
+            // At the commands' tolerance this is the commands' table, from the same smallest gap.
             let usual = tolerance.total_cmp(&EXACT_TABLE_TOLERANCE).is_eq();
             let from = if usual {
                 EXACT_TABLE_FROM
@@ -79,12 +80,12 @@ impl Tables {
         &self.exact[EXACT_TOLERANCES.len() - 2]
     }
 
-    /// The table that stands for the exact series where errors of deflections are measured.
+    /// The reference table: it replaces the exact series when errors of deflections are measured.
     pub(super) fn referee(&self) -> &Tabulated<AnyModel> {
         &self.exact[EXACT_TOLERANCES.len() - 1].table
     }
 
-    /// The finest table of each level of boundary elements.
+    /// The table with the smallest tolerance for each level of boundary elements.
     pub(super) fn usual_bem(&self) -> impl Iterator<Item = &Built> {
         (self.bem.iter()).filter(|built| built.tolerance <= BEM_TABLE_TOLERANCE)
     }

@@ -1,33 +1,33 @@
-//! Wall-clock time of a call: the smallest of repeats after a warm-up.
+//! Wall-clock time of a call: the smallest of several repeats after a warm-up.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// A call that takes longer is run once.
+/// A call that takes longer than this runs only once.
 const ONCE_BEYOND: Duration = Duration::from_secs(2);
 
-/// Calls are timed in batches of at least this, far above the clock's resolution.
+/// Calls are timed in batches of at least this duration, which is far above the resolution of the clock.
 const BATCH: Duration = Duration::from_micros(50);
 
-/// Time given to the repeats of a call unless said otherwise, and the fewest batches.
+/// Default time for the repeats of a call, and smallest number of batches.
 const BUDGET: Duration = Duration::from_millis(20);
 const FEWEST: u32 = 3;
 
-/// What a call took.
+/// The measured time of a call.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Timing {
-    /// Seconds a call.
+    /// Seconds per call.
     pub(super) seconds: f64,
-    /// Calls that were timed.
+    /// Number of calls that were timed.
     pub(super) repeats: u64,
 }
 
-/// The value of `call`, and what a call takes.
+/// Returns the value of `call` and its time.
 pub(super) fn timed<T>(call: impl Fn() -> T) -> (T, Timing) {
     timed_within(BUDGET, call)
 }
 
-/// The same with the time given to the repeats.
+/// Returns the value of `call` and its time, with a given time for the repeats.
 pub(super) fn timed_within<T>(budget: Duration, call: impl Fn() -> T) -> (T, Timing) {
     let started = Instant::now();
     let value = call();

@@ -1,4 +1,4 @@
-//! Bound states that one model has and another has not: which, and what becomes of them.
+//! Bound states of each model, and pairs that one model binds and the other does not.
 
 use scene::{BoundState, Hydrodynamics, Outcome, Repulsion, SceneError, Squirmer, bound_states};
 use serde::Serialize;
@@ -6,32 +6,31 @@ use serde::Serialize;
 use super::trust::{TrustRow, same_map};
 use crate::{CompareError, Method, Model};
 
-/// A bound state of two equal squirmers, a line of `bound-states.csv`; its mirror image and the exchange
-/// of the two are states too.
+/// A bound state of two equal squirmers, a line of `bound-states.csv`. Its mirror image, and the state with the two
+/// squirmers exchanged, are bound states too.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BoundRow {
     /// Name of the method.
     pub method: String,
     /// Squirmer parameter.
     pub beta: f64,
-    /// What it is.
+    /// Outcome that this state stands for.
     pub outcome: String,
     /// Gap, in radii.
     pub gap: f64,
-    /// Orientation of the first, anticlockwise from the direction to the second.
+    /// Orientation of squirmer 1, anticlockwise from the direction to squirmer 2.
     pub angle1_deg: f64,
-    /// Orientation of the second, anticlockwise from the direction to the first.
+    /// Orientation of squirmer 2, anticlockwise from the direction to squirmer 1.
     pub angle2_deg: f64,
-    /// Rate of turning of the line of centres, in radians over `a/V_s`.
+    /// Angular velocity of the line of centres, in radians per `a/V_s`.
     pub turning: f64,
     /// Speed of the midpoint, in `V_s`.
     pub speed: f64,
-    /// Largest growth rate of a small disturbance in the plane, in `V_s/a`; negative if the state
-    /// attracts.
+    /// Largest growth rate of a small disturbance in the plane, in `V_s/a`; negative if the state attracts.
     pub growth: f64,
-    /// Angular frequency of that disturbance, in `V_s/a`.
+    /// Angular frequency of the disturbance that grows fastest, in `V_s/a`.
     pub frequency: f64,
-    /// Whether it is one of a line of states, which are not listed each.
+    /// Whether the state belongs to a continuous line of states. Only one state of the line is listed.
     pub one_of_a_line: bool,
 }
 
@@ -54,7 +53,7 @@ impl BoundRow {
     }
 }
 
-/// The bound states of every model and squirmer parameter, in this order, by rising growth rate.
+/// The bound states of every model and squirmer parameter, sorted by model, parameter and rising growth rate.
 ///
 /// # Errors
 /// [`CompareError::Scene`] for a parameter that is not finite.
@@ -74,9 +73,9 @@ fn states(model: &Model, squirmer: &Squirmer) -> Result<Vec<BoundState>, SceneEr
     bound_states(model as &dyn Hydrodynamics, squirmer, Repulsion::PAPER)
 }
 
-/// Starts from which one model binds the pair and the other parts it or binds it otherwise, a line of
-/// `trust-examples.csv`: one example for each kind, with what the other model has of that state (of
-/// lubrication theory's, where both bind).
+/// A line of `trust-examples.csv`: a start from which one model gives a bound state and the other model gives a
+/// different outcome. There is one example for each pair of outcomes. It says whether the other model has the bound
+/// state at all. If both models bind the pair, this is lubrication theory's state.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BoundExample {
     /// Form of lubrication theory.
@@ -87,21 +86,21 @@ pub struct BoundExample {
     pub outcome_lt: String,
     /// Outcome by exact hydrodynamics.
     pub outcome_exact: String,
-    /// Share of the plane.
+    /// Share of the plane with these two outcomes.
     pub share: f64,
-    /// An example.
+    /// Difference of the incoming angles of the example, `(phi2 - phi1)/pi`.
     pub delta: f64,
-    /// An example.
+    /// Sum of the incoming angles of the example, `(phi2 + phi1)/pi`.
     pub sigma: f64,
-    /// What the other model has of the state: `absent`, `unstable` or `not reached`.
+    /// The state in the other model: `absent`, `unstable` or `not reached`.
     pub state: &'static str,
-    /// Gap of that state, in radii.
+    /// Gap of the state in the other model, in radii.
     pub gap: f64,
-    /// Its growth rate, in `V_s/a`.
+    /// Growth rate of the state in the other model, in `V_s/a`.
     pub growth: f64,
 }
 
-/// Whether an outcome is one of the bound states without gravity.
+/// Whether an outcome is a bound state without gravity.
 fn is_bound(outcome: &str) -> bool {
     [
         Outcome::Standoff,
@@ -113,7 +112,7 @@ fn is_bound(outcome: &str) -> bool {
     .any(|bound| bound.to_string() == outcome)
 }
 
-/// The kind of a bound state, the sense of rotation left out: mirror images have the other one.
+/// The kind of a bound state without its sense of rotation, because a mirror image rotates the other way.
 fn kind(outcome: &str) -> &str {
     match outcome {
         "anticlockwise" | "clockwise" => "orbit",
@@ -121,7 +120,7 @@ fn kind(outcome: &str) -> &str {
     }
 }
 
-/// The examples of every map, by falling share.
+/// The examples of every map, sorted by falling share.
 #[must_use]
 pub fn bound_examples(rows: &[TrustRow], states: &[BoundRow]) -> Vec<BoundExample> {
     let mut examples = Vec::new();

@@ -9,7 +9,7 @@ use super::scatter::{ScatterRow, line};
 use crate::output::csv_lines;
 use crate::{CompareError, Method, Model};
 
-/// One line of `fates.csv`: shares of the plane.
+/// One line of `fates.csv`: the share of each outcome in the plane.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FateRow {
     /// Name of the method.
@@ -18,38 +18,38 @@ pub struct FateRow {
     pub beta: f64,
     /// Bottom-heaviness.
     pub g: f64,
-    /// Parted.
+    /// The pair parted.
     pub scattered: f64,
     /// At rest, facing each other.
     pub standoff: f64,
-    /// Swimming together along a line.
+    /// Swimming together along a straight line.
     pub pairwise: f64,
     /// Orbiting anticlockwise.
     pub anticlockwise: f64,
     /// Orbiting clockwise.
     pub clockwise: f64,
-    /// Neither parted nor settled at the end.
+    /// Neither parted nor in a steady state at the end of the run.
     pub undecided: f64,
-    /// Under gravity: both swim up.
+    /// Under gravity: both swim upward.
     pub upward: f64,
-    /// Under gravity: bound, the gap oscillating.
+    /// Under gravity: bound, with an oscillating gap.
     pub oscillating: f64,
-    /// Under gravity: bound, swimming down.
+    /// Under gravity: bound, swimming downward.
     pub downward: f64,
     /// Runs without a result.
     pub failed: f64,
-    /// Standard error of the share of orbits and pairs swimming together, if the points of the grid
-    /// were drawn at random; those of a grid do better.
+    /// Standard error of the share of bound pairs, as if the points were drawn at random. The error of a regular grid
+    /// is smaller.
     pub sampling_error: f64,
-    /// Points of the grid.
+    /// Number of points of the grid.
     pub points: usize,
 }
 
-/// A share of the plane.
+/// Reads one share from a row.
 pub type Share = fn(&FateRow) -> f64;
 
 impl FateRow {
-    /// Every outcome's share by its name, in the order of the columns.
+    /// The name and the share of every outcome, in the order of the columns.
     pub const SHARES: [(&'static str, Share); 10] = [
         ("scattered", |row| row.scattered),
         ("standoff", |row| row.standoff),
@@ -63,7 +63,7 @@ impl FateRow {
         ("failed", |row| row.failed),
     ];
 
-    /// Share of pairs that orbit or swim together.
+    /// Share of bound pairs: at rest, swimming together or orbiting.
     #[must_use]
     pub fn bound(&self) -> f64 {
         self.standoff + self.pairwise + self.orbits()
@@ -82,7 +82,7 @@ impl FateRow {
     }
 }
 
-/// How often each outcome occurred along a line of the grid; last the runs that failed.
+/// Number of runs with each outcome along a line of the grid. The last number counts failed runs.
 #[derive(Clone, Copy, Default, Serialize, Deserialize)]
 struct Counts([usize; Outcome::ALL.len() + 1]);
 
@@ -96,15 +96,15 @@ impl Counts {
         counts
     }
 
-    /// Runs that failed.
+    /// Number of failed runs.
     fn without_result(&self) -> usize {
         self.0[Outcome::ALL.len()]
     }
 }
 
 impl Maps<'_> {
-    /// The shares for every model and pair, in this order; `None` where the time limit left something
-    /// out, to be gone on with. The lines are kept until the maps' file is written.
+    /// The shares for every model and pair, in this order. `None` if the time limit left something out; then the same
+    /// command continues. The lines are kept until the file of the maps is written.
     ///
     /// # Errors
     /// [`CompareError::Write`] if rows cannot be kept.
@@ -128,7 +128,7 @@ impl Maps<'_> {
     }
 }
 
-/// The shares in a map that has been run already.
+/// The shares in a finished map.
 #[must_use]
 pub fn fates_of(model: &Model, pair: Pair, rows: &[ScatterRow]) -> FateRow {
     fate_row(model.method(), pair, &[Counts::of(rows)])
@@ -155,7 +155,7 @@ fn fate_row(method: Method, pair: Pair, lines: &[Counts]) -> FateRow {
         upward: of(Outcome::Upward),
         oscillating: of(Outcome::Oscillating),
         downward: of(Outcome::Downward),
-        // What a model cannot tell, it fails to.
+        // An unresolved outcome (the gap left the model's range) counts as failed.
         failed: share(Outcome::ALL.len()) + of(Outcome::Unresolved),
         sampling_error: 0.0,
         points,

@@ -1,8 +1,8 @@
-//! The plane of initial conditions that the paper maps (its Sec. III).
+//! The plane of initial directions that the paper maps (its Sec. III).
 //!
-//! Two squirmers start on the x axis at `x = -3/2` and `3/2`, where lubrication begins to act, with the
-//! angles `phi1 = pi (Sigma - Delta)/2` and `phi2 = pi (Sigma + Delta)/2`. With `Delta` and `Sigma` from 0
-//! to 2 the two do not swim directly apart.
+//! Two squirmers start on the x axis at `x = -3/2` and `3/2`, so the gap is 1, where lubrication begins to act. Their
+//! angles are `phi1 = pi (Sigma - Delta)/2` and `phi2 = pi (Sigma + Delta)/2`. For `Delta` and `Sigma` from 0 to 2 the
+//! squirmers do not swim directly apart.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -10,26 +10,26 @@ use scene::{Gravity, Orientation, Pose, Repulsion, Scene, SceneError, Squirmer};
 
 use crate::CompareError;
 
-/// Distance of the first and the last point from the edge of the plane: on the edge itself parallel
-/// squirmers never part.
+/// Distance of the first and the last point from the edge of the plane. On the edge squirmers are parallel and never
+/// part.
 const MARGIN: f64 = 0.01;
 
-/// Most points a side.
+/// Largest number of points a side.
 const MOST: usize = 2000;
 
-/// Half the distance of the centres at the start.
+/// Half the initial distance of the centres, in radii.
 const HALF_DISTANCE: f64 = 1.5;
 
-/// Points of the plane, the same along both sides. An even number of them avoids the singular
-/// lines `Delta = 1` and `Sigma = 1`.
+/// A square grid of points in the plane. An even number of points a side avoids the singular lines `Delta = 1` and
+/// `Sigma = 1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Grid(usize);
 
 impl Grid {
-    /// `points` a side, evenly from 0.01 to 1.99.
+    /// A grid of `points` a side, evenly spaced from 0.01 to 1.99.
     ///
     /// # Errors
-    /// [`CompareError::Input`] unless there are from 2 to 2000.
+    /// [`CompareError::Input`] unless `points` is from 2 to 2000.
     pub fn new(points: usize) -> Result<Self, CompareError> {
         if (2..=MOST).contains(&points) {
             Ok(Self(points))
@@ -39,31 +39,31 @@ impl Grid {
         }
     }
 
-    /// Points a side.
+    /// Number of points a side.
     #[must_use]
     pub fn points(self) -> usize {
         self.0
     }
 
-    /// The values of `Delta`, and of `Sigma`.
+    /// The values of `Delta`, which are also those of `Sigma`.
     #[must_use]
     pub fn values(self) -> Vec<f64> {
         let step = (2.0 - 2.0 * MARGIN) / (self.0 - 1) as f64;
         (0..self.0)
-            // Without the digits that only rounding has put there.
+            // Removes digits that are only rounding errors.
             .map(|i| ((MARGIN + step * i as f64) * 1e12).round() / 1e12)
             .collect()
     }
 }
 
-/// Two equal squirmers of a map.
+/// The two equal squirmers of a map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair {
     /// Squirmer parameter `B_2/B_1`.
     pub beta: f64,
     /// Bottom-heaviness `G_bh`; gravity acts along `-y`.
     pub g: f64,
-    /// Offset out of the plane, in radii: the first starts raised by half of it, the second lowered.
+    /// Offset out of the plane, in radii: squirmer 1 starts at `z = dz/2`, squirmer 2 at `z = -dz/2`.
     pub dz: f64,
 }
 
@@ -79,7 +79,7 @@ impl Pair {
             orientation: Orientation::Radians(angle),
         };
         let second = FRAC_PI_2 * (sigma + delta);
-        // The mirror image of the second, to the last bit where Sigma = 1.
+        // Where Sigma = 1 the squirmers are mirror images of each other to the last bit.
         let first = PI * (sigma - 1.0) - (second - PI);
         let start = [pose(-1.0, first), pose(1.0, second)];
         let gravity = (self.g != 0.0).then_some(Gravity::DOWN);
@@ -87,7 +87,7 @@ impl Pair {
     }
 }
 
-/// A start of each of `pairs` without a symmetry: what it reads holds what any other start reads.
+/// One start without symmetry for each of `pairs`. It reads all loads that any other start reads.
 pub fn unsymmetric_starts(pairs: &[Pair]) -> impl Iterator<Item = Result<Scene, SceneError>> + '_ {
     pairs.iter().map(|pair| pair.scene(MARGIN, MARGIN))
 }

@@ -1,5 +1,4 @@
-//! Maps over the plane of initial directions: what becomes of the pair, how often, and where
-//! lubrication theory can be trusted.
+//! Maps over the plane of initial directions: outcomes, their shares, and where lubrication theory can be trusted.
 
 mod bound;
 mod fates;
@@ -26,38 +25,38 @@ pub use scatter::{ScatterRow, scatter_row};
 pub use trust::{CLASSES as TRUST_CLASSES, same_map};
 pub use trust::{TrustRow, TrustShares, trust_rows, trust_shares};
 
-/// What is handed a map's model, pair and rows.
+/// A function that is called with the model, the pair and the rows of each map.
 pub type SeeMap<'s, R, E> = dyn FnMut(&Model, Pair, Vec<R>) -> Result<(), E> + 's;
 
-/// Maps of every model and pair, in this order: each a grid of which every line of constant `Sigma` is computed, and
-/// kept, by itself. What was stopped goes on with the lines that are missing.
+/// Maps of every model and pair, in this order. A map is a grid; each of its lines of constant `Sigma` is computed and
+/// kept separately. A command that was stopped continues with the missing lines.
 pub struct Maps<'a> {
-    /// Name of the file of their rows, without its ending.
+    /// Name of the file of the rows, without its ending.
     pub name: &'static str,
     /// The models.
     pub models: Vec<&'a Model>,
-    /// What they are judged by, if they are.
+    /// The exact model, if the models are compared with it.
     pub exact: Option<&'a Model>,
     /// The pairs of squirmers.
     pub pairs: Vec<Pair>,
-    /// The points of each map.
+    /// The grid of each map.
     pub grid: Grid,
-    /// How each run is made, and for how long.
+    /// Options of each run, and the time limit.
     pub options: SweepOptions,
-    /// Where lines are kept.
+    /// The folder for the rows.
     pub out: &'a OutputFolder,
 }
 
 impl Maps<'_> {
-    /// Makes sure that no finished lines of other maps would be lost, before anything is computed.
+    /// Checks, before anything is computed, that no finished lines of other maps would be deleted.
     ///
     /// # Errors
-    /// [`CompareError::OtherSweep`] if lines would be; [`CompareError::Write`].
+    /// [`CompareError::OtherSweep`] if such lines would be deleted; [`CompareError::Write`].
     pub fn check(&self) -> Result<(), CompareError> {
         self.sweep().check()
     }
 
-    /// All that the rows depend on, in one line.
+    /// Everything that the rows depend on, in one line.
     fn key(&self) -> String {
         let named = |model: &Model| format!("{} ({})", model.method(), model.fingerprint());
         let models: Vec<_> = self.models.iter().map(|model| named(model)).collect();
@@ -91,7 +90,7 @@ impl Maps<'_> {
         (self.models.iter()).flat_map(|model| self.pairs.iter().map(move |&pair| (*model, pair)))
     }
 
-    /// Its lines of constant `Sigma`, each kept by itself.
+    /// The sweep of all lines of constant `Sigma`; each line is kept separately.
     fn sweep(&self) -> Sweep<'_> {
         Sweep {
             name: self.name,
@@ -104,8 +103,7 @@ impl Maps<'_> {
         }
     }
 
-    /// Computes the lines that are missing, each to CSV lines; whether that is all of them. A note tells of those that
-    /// the time limit left out.
+    /// Computes the missing lines as CSV text. Returns `None`, and reports it, if the time limit left some out.
     fn lines<'s>(
         &self,
         sweep: &'s Sweep<'s>,
@@ -127,7 +125,7 @@ impl Maps<'_> {
             self.out.account().skipped(left);
             notice!(
                 "skipped: the time limit was reached before {left} of {} lines of constant Sigma; the same command \
-                 goes on from {}.csv.part",
+                 continues from {}.csv.part",
                 kept.pieces(),
                 self.name
             );
@@ -136,13 +134,13 @@ impl Maps<'_> {
         Ok(Some(kept))
     }
 
-    /// The lines of the map with this number.
+    /// The range of lines of the map with number `map`.
     fn lines_of_map(&self, map: usize) -> std::ops::Range<usize> {
         let lines = self.grid.points();
         map * lines..(map + 1) * lines
     }
 
-    /// Hands each map's rows to `see`, one map at a time, and writes them to the maps' file if they are to be kept.
+    /// Passes the rows of each map to `see`, one map at a time. Writes them to the file of the maps if `to_file`.
     fn hand_over<R: Serialize + DeserializeOwned, E: From<CompareError>>(
         &self,
         kept: Kept<'_>,
@@ -161,7 +159,7 @@ impl Maps<'_> {
             Ok(())
         };
         if !to_file {
-            // The lines go when the file that is made of them is there.
+            // The caller deletes the kept lines after it has written its own file.
             return maps(None);
         }
         let name = format!("{}.csv", self.name);
@@ -169,7 +167,7 @@ impl Maps<'_> {
         Ok(kept.close()?)
     }
 
-    /// Writes a map's lines, below the header if it is the first one.
+    /// Writes the lines of a map. The first map also gets the header.
     fn write_map<R: Serialize>(
         &self,
         kept: &Kept<'_>,

@@ -1,4 +1,4 @@
-//! Maps of what becomes of two squirmers over their initial directions (the paper's Figs 2-4).
+//! Maps of outcome, deflections and interaction time over the initial directions (the paper's Figs 2-4).
 
 use scene::{Outcome, RunOptions};
 use serde::{Deserialize, Serialize};
@@ -9,9 +9,9 @@ use crate::encounter::FAILED;
 use crate::output::csv_lines;
 use crate::{CompareError, Method, Model};
 
-/// One line of `scatter.csv`. Deflections wind, anticlockwise positive; those of a pair that parts without gravity are
-/// limits at infinity, those of any other the change of orientation up to the end of the run. A run that failed has NaN and the outcome
-/// `failed`.
+/// One line of `scatter.csv`. Deflections are anticlockwise positive and may exceed 360 degrees. If the pair parts
+/// without gravity, they are limits at infinity; otherwise they are the change of orientation up to the end of the
+/// run. A failed run has NaN and the outcome `failed`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ScatterRow {
     /// Name of the method.
@@ -28,7 +28,7 @@ pub struct ScatterRow {
     pub deflection1_deg: f64,
     /// Deflection of the second squirmer, in degrees.
     pub deflection2_deg: f64,
-    /// Time spent at gaps up to 1, in `a/V_s`.
+    /// Interaction time (the time at gaps up to 1), in `a/V_s`.
     pub tau: f64,
     /// Outcome.
     pub outcome: String,
@@ -36,7 +36,7 @@ pub struct ScatterRow {
     pub min_gap: f64,
 }
 
-/// The run that starts at one point of the plane.
+/// Runs the pair from one point of the plane.
 #[must_use]
 pub fn scatter_row(
     model: &Model,
@@ -62,7 +62,7 @@ pub fn scatter_row(
     }
 }
 
-/// The runs along a line of constant `Sigma`.
+/// Runs the pair from every point of a line of constant `Sigma`.
 pub(super) fn line(
     model: &Model,
     pair: Pair,
@@ -76,11 +76,12 @@ pub(super) fn line(
 }
 
 impl Maps<'_> {
-    /// Hands the rows of each map to `see`, one map at a time, each `Sigma` a line of `Delta`, and writes all to the
-    /// maps' file; whether all are done, or the time limit left something out, to be gone on with.
+    /// Passes the rows of each map to `see`, one map at a time, with `Delta` varying fastest. Writes all rows to the
+    /// file of the maps. Returns whether all are done; if the time limit left something out, the same command
+    /// continues.
     ///
     /// # Errors
-    /// [`CompareError::Write`] if rows cannot be kept; those of `see`.
+    /// [`CompareError::Write`] if rows cannot be kept; the errors of `see`.
     pub fn scatter<E: From<CompareError>>(
         &self,
         see: &mut SeeMap<'_, ScatterRow, E>,
@@ -108,7 +109,7 @@ impl ScatterRow {
         Method::ALL.into_iter().find(|m| m.name() == self.method)
     }
 
-    /// The outcome, unless the run failed.
+    /// The outcome; `None` if the run failed.
     #[must_use]
     pub fn outcome(&self) -> Option<Outcome> {
         (Outcome::ALL.into_iter()).find(|outcome| outcome.to_string() == self.outcome)

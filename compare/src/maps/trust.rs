@@ -1,4 +1,4 @@
-//! Where lubrication theory and exact hydrodynamics part, over the plane of initial directions.
+//! Where lubrication theory and exact hydrodynamics disagree, over the plane of initial directions.
 
 use scene::Outcome;
 use serde::{Deserialize, Serialize};
@@ -10,8 +10,8 @@ use crate::CompareError;
 use crate::encounter::FAILED;
 use crate::output::csv_lines;
 
-/// One line of `trust.csv`. Differences are those of the deflections, lubrication less exact; of a
-/// bound pair they are those of the orientations at the end of the run.
+/// One line of `trust.csv`. Differences are deflections by lubrication theory minus exact deflections; for a bound
+/// pair they are differences of the orientations at the end of the run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TrustRow {
     /// Squirmer parameter.
@@ -24,9 +24,9 @@ pub struct TrustRow {
     pub outcome_lt: String,
     /// Outcome by exact hydrodynamics.
     pub outcome_exact: String,
-    /// Difference for the first squirmer, in degrees.
+    /// Difference for squirmer 1, in degrees.
     pub difference1_deg: f64,
-    /// Difference for the second squirmer, in degrees.
+    /// Difference for squirmer 2, in degrees.
     pub difference2_deg: f64,
     /// Form of lubrication theory.
     pub method: String,
@@ -52,25 +52,25 @@ impl TrustRow {
         }
     }
 
-    /// Whether both models say the same outcome.
+    /// Whether both models give the same outcome.
     #[must_use]
     pub fn agrees(&self) -> bool {
         self.outcome_lt == self.outcome_exact
     }
 
-    /// The larger difference, in degrees, where the pair parts by both models.
+    /// The larger of the two differences, in degrees; `None` unless the pair parts in both models.
     #[must_use]
     pub fn difference(&self) -> Option<f64> {
         let scattered = self.agrees() && self.outcome_lt == Outcome::Scattered.to_string();
         scattered.then(|| self.difference1_deg.abs().max(self.difference2_deg.abs()))
     }
 
-    /// Whether a run has no result, so that there is nothing to compare.
+    /// Whether one of the two runs failed, so that there is nothing to compare.
     fn failed(&self) -> bool {
         self.outcome_lt == FAILED || self.outcome_exact == FAILED
     }
 
-    /// The class of trust: how far the deflections are apart, that the outcomes differ, or that a run failed.
+    /// Index of the class of trust in [`CLASSES`].
     #[must_use]
     pub fn class(&self) -> usize {
         match self.difference() {
@@ -84,10 +84,10 @@ impl TrustRow {
     }
 }
 
-/// Differences of deflections, in degrees, that bound the classes of trust.
+/// Limits of the classes of trust: differences of deflections, in degrees.
 const BOUNDS_DEG: [f64; 3] = [5.0, 15.0, 45.0];
 
-/// The classes of trust.
+/// Names of the classes of trust.
 pub const CLASSES: [&str; 7] = [
     "up to 5°",
     "5° to 15°",
@@ -98,7 +98,7 @@ pub const CLASSES: [&str; 7] = [
     "failed",
 ];
 
-/// Shares of the plane by how well lubrication theory does.
+/// Share of each class of trust in the plane.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TrustShares {
     /// Form of lubrication theory.
@@ -109,25 +109,24 @@ pub struct TrustShares {
     pub g: f64,
     /// Offset out of the plane, in radii.
     pub dz: f64,
-    /// Both part, deflections within 5 degrees of each other.
+    /// Both models part the pair, and the deflections differ by at most 5 degrees.
     pub within_5_deg: f64,
-    /// Both part, 5 to 15 degrees.
+    /// Both models part the pair, and the deflections differ by 5 to 15 degrees.
     pub within_15_deg: f64,
-    /// Both part, 15 to 45 degrees.
+    /// Both models part the pair, and the deflections differ by 15 to 45 degrees.
     pub within_45_deg: f64,
-    /// Both part, more than 45 degrees.
+    /// Both models part the pair, and the deflections differ by more than 45 degrees.
     pub beyond_45_deg: f64,
-    /// The same outcome, but not parted.
+    /// Both models give the same outcome, and the pair does not part.
     pub same_outcome: f64,
-    /// Another outcome.
+    /// The models give different outcomes.
     pub other_outcome: f64,
-    /// A run without a result.
+    /// A run failed.
     pub failed: f64,
 }
 
 impl TrustShares {
-    /// The shares in the order of the classes: by rising difference, then the same outcome without a deflection, then
-    /// another outcome, then what failed.
+    /// The shares in the order of [`CLASSES`].
     #[must_use]
     pub fn in_order(&self) -> [f64; CLASSES.len()] {
         [
@@ -173,7 +172,7 @@ pub fn same_map(a: &TrustRow, b: &TrustRow) -> bool {
     a.method == b.method && key(a) == key(b)
 }
 
-/// Judges rows of one map by the rows of the same points.
+/// Compares the rows of one map with the exact rows of the same points.
 #[must_use]
 pub fn trust_rows(judged: &[ScatterRow], exact: &[ScatterRow], pair: Pair) -> Vec<TrustRow> {
     (judged.iter().zip(exact))
@@ -182,19 +181,20 @@ pub fn trust_rows(judged: &[ScatterRow], exact: &[ScatterRow], pair: Pair) -> Ve
 }
 
 impl Maps<'_> {
-    /// Judges each of the models by the exact one at every pair and point of the grid: hands the rows of each map to
-    /// `see`, one map at a time, and writes all to the maps' file if they are to be kept; whether all are done, or the
-    /// time limit left something out, to be gone on with.
+    /// Compares each of the models with the exact one, for every pair and point of the grid. Passes the rows of each
+    /// map to `see`, one map at a time, and writes all rows to the file of the maps if `kept`. Returns whether all are
+    /// done; if the time limit left something out, the same command continues.
     ///
     /// # Errors
-    /// [`CompareError::Write`] if rows cannot be kept; [`CompareError::Input`] without an exact model; those of `see`.
+    /// [`CompareError::Write`] if rows cannot be kept; [`CompareError::Input`] without an exact model; the errors of
+    /// `see`.
     pub fn trust<E: From<CompareError>>(
         &self,
         kept: bool,
         see: &mut SeeMap<'_, TrustRow, E>,
     ) -> Result<bool, E> {
         let Some(exact) = self.exact else {
-            let allowed = "name exact, and what it is to judge, such as lt,exact";
+            let allowed = "name exact and the methods to compare with it, such as lt,exact";
             return Err(CompareError::input("--method", "without exact", allowed).into());
         };
         let sweep = self.sweep();

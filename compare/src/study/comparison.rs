@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use crate::{Case, Encounter, Method};
 
-/// One line of `comparison.csv`: the deflection of one squirmer by every method, in degrees, and
-/// how far each is from the exact one. NaN where a run failed or was not asked for.
+/// One line of `comparison.csv`: the deflection of one squirmer by every method, in degrees, and its difference from
+/// the exact one. NaN if a run failed or was not requested.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ComparisonRow {
     /// Name of the approach.
@@ -30,11 +30,11 @@ pub struct ComparisonRow {
     pub lt_corrected_error_deg: f64,
     /// Error of boundary elements.
     pub bem_error_deg: f64,
-    /// Outcomes by lubrication theory as published and by exact hydrodynamics.
+    /// Outcome by lubrication theory as published, and outcome by exact hydrodynamics.
     pub outcomes: String,
 }
 
-/// Compares encounters of the same cases by several methods, case by case.
+/// Compares encounters by several methods, case by case.
 #[must_use]
 pub fn comparison(encounters: &[Encounter]) -> Vec<ComparisonRow> {
     let mut cases: Vec<Case> = Vec::new();

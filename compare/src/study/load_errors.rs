@@ -1,4 +1,4 @@
-//! Errors of the loads of each method against the exact ones, from contact to far apart.
+//! Errors of the loads of each method against the exact loads, for gaps from 1e-3 to 100 radii.
 
 use rayon::prelude::*;
 use scene::{Gap, Hydrodynamics, LoadSet, SceneError};
@@ -19,21 +19,21 @@ pub struct LoadErrorRow {
     pub value: f64,
     /// The exact load.
     pub exact: f64,
-    /// Their difference relative to the larger of the exact load and 1.
+    /// Difference of the load from the exact load, relative to the larger of the exact load and 1.
     pub error: f64,
 }
 
-/// Gaps from 1e-3 to 100, twelve a decade.
+/// Gaps from 1e-3 to 100 radii, twelve per decade.
 fn gaps() -> impl Iterator<Item = f64> {
     (0..=60).map(|i| 10f64.powf(f64::from(i) / 12.0 - 3.0))
 }
 
-/// The errors of `models` against `exact` for the loads of `set`, method by method.
+/// The errors of `models` against `exact` for the loads of `set`, sorted by method.
 ///
 /// Gaps outside a model's range are left out.
 ///
 /// # Errors
-/// Those of the models.
+/// The errors of the models.
 pub fn load_errors(
     models: &[&Model],
     exact: &Model,

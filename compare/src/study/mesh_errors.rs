@@ -1,4 +1,4 @@
-//! Errors of the boundary elements' loads against the exact ones, level by level of the mesh.
+//! Errors of the boundary elements' loads against the exact loads, for each level of the mesh.
 
 use bem::Bem;
 use exact::Exact;
@@ -13,7 +13,7 @@ const LOADS: LoadSet = LoadSet::all(2);
 /// Gaps, in radii.
 const GAPS: [f64; 4] = [1.0, 0.1, 0.01, 0.001];
 
-/// Highest level: the next one takes longer than all of these together.
+/// Highest level. The next level would take longer than all of these levels together.
 const HIGHEST: usize = 4;
 
 /// One line of `mesh-errors.csv`.
@@ -23,19 +23,19 @@ pub struct MeshErrorRow {
     pub gap: f64,
     /// Level of the mesh.
     pub level: usize,
-    /// Nodes a sphere.
+    /// Number of nodes on a sphere.
     pub nodes: usize,
-    /// Worst error of a load, relative to the larger of the load and 1, of thrusts and 4.
+    /// Largest error of a load, relative to the larger of the load and 1 (for thrusts: the larger of the load and 4).
     pub worst_error: f64,
-    /// Name of that load.
+    /// Name of the load with the largest error.
     pub load: String,
-    /// Power of the node spacing with which the error fell from the level before.
+    /// Observed order: the power of the node spacing with which the error fell from the level before.
     pub order: f64,
-    /// Wall-clock time of all loads.
+    /// Wall-clock time of all loads, in seconds.
     pub seconds: f64,
 }
 
-/// The errors at each gap and level; a level that does not resolve a gap is left out.
+/// The errors at each gap and level. A level that does not resolve a gap is left out.
 ///
 /// # Errors
 /// [`CompareError`] if a solve fails.

@@ -1,4 +1,4 @@
-//! Questions that are asked of the models, one file each: rows and what they say.
+//! Studies: questions about the models. Each file answers one question with rows.
 
 mod comparison;
 mod load_errors;

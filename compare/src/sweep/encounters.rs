@@ -1,4 +1,4 @@
-//! Runs cases by methods, in parallel, in a fixed order.
+//! Runs cases by several methods, in parallel. The results have a fixed order.
 
 use std::time::Instant;
 
@@ -10,7 +10,7 @@ use super::SweepOptions;
 use crate::watch::{Pieces, Progress};
 use crate::{Case, Encounter, Model, NoRun, OffsetRow};
 
-/// Every case by every method: methods outermost, cases in their order.
+/// Runs every case by every method. Methods are the outer loop.
 #[must_use]
 pub fn encounters(models: &[Model], cases: &[Case], options: &SweepOptions) -> Vec<Encounter> {
     let started = Instant::now();
@@ -53,9 +53,9 @@ pub(crate) fn encounter(model: &Model, case: &Case, options: &RunOptions) -> Enc
     }
 }
 
-/// Change of the outgoing orientations of each of `cases` by each offset out of the plane.
+/// Computes how much each offset out of the plane changes the outgoing orientations of each of `cases`.
 ///
-/// Returns one row for each method, case and offset, and the encounters behind them.
+/// Returns one row for each method, case and offset, and the encounters from which the rows follow.
 #[must_use]
 pub fn offsets(
     models: &[Model],
@@ -63,7 +63,7 @@ pub fn offsets(
     dz: &[f64],
     options: &SweepOptions,
 ) -> (Vec<OffsetRow>, Vec<Encounter>) {
-    // The planar run of a case is the reference of all its offsets.
+    // All offsets of a case are compared with its planar run.
     let encounters = encounters(models, &with_offsets(cases, dz), options);
     let rows = (encounters.chunks(1 + dz.len()))
         .flat_map(|group| {
@@ -74,7 +74,7 @@ pub fn offsets(
     (rows, encounters)
 }
 
-/// Each of `cases` in its plane, then with each offset out of it.
+/// Each of `cases` without an offset out of the plane, then with each offset.
 #[must_use]
 pub fn with_offsets(cases: &[Case], dz: &[f64]) -> Vec<Case> {
     let offsets = || std::iter::once(0.0).chain(dz.iter().copied());
@@ -105,7 +105,7 @@ pub(crate) fn offset_row(reference: &Encounter, offset: &Encounter) -> OffsetRow
     }
 }
 
-/// Angle between two vectors, precise at small angles, in radians.
+/// Angle between two vectors in radians; precise at small angles.
 fn angle_between(a: Vector3<f64>, b: Vector3<f64>) -> f64 {
     a.cross(&b).norm().atan2(a.dot(&b))
 }

@@ -1,4 +1,4 @@
-//! A family swept along some of its parameters, by several models.
+//! A sweep of a family along some of its parameters, by several models.
 
 use std::time::{Duration, Instant};
 
@@ -12,10 +12,10 @@ use crate::encounter::{FAILED, SKIPPED};
 use crate::output::{OutputFolder, csv_lines};
 use crate::{CompareError, Family, Method, Model};
 
-/// Name of the file, without its ending.
+/// Name of the file of the rows, without its ending.
 const NAME: &str = "sweep";
 
-/// Columns behind those of the parameters.
+/// Columns after those of the parameters.
 pub(super) const COLUMNS: [&str; 7] = [
     "method",
     "deflection1_deg",
@@ -26,21 +26,21 @@ pub(super) const COLUMNS: [&str; 7] = [
     "steps",
 ];
 
-/// Points run by models: models outermost, then the axes in their order.
+/// A sweep of a family. Models are the outer loop, then the axes in their order.
 pub struct FamilySweep<'a> {
     /// The points.
     pub points: &'a Points,
     /// The models.
     pub models: &'a [Model],
-    /// The share of the rows that is run.
+    /// The share of the rows that this process runs.
     pub share: Share,
-    /// Time after which no further piece is begun.
+    /// Time after which no further piece begins.
     pub time_limit: Option<Duration>,
-    /// Where rows are kept.
+    /// The folder for the rows.
     pub out: &'a OutputFolder,
 }
 
-/// What a row says behind the values of the parameters. A run without a result has NaN.
+/// The columns of a row after the values of the parameters. A run without a result has NaN.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Tail {
     method: String,
@@ -79,12 +79,12 @@ impl Tail {
     }
 }
 
-/// A row of `sweep.csv`, field by field: the parameters, then what became of the run.
+/// A row of `sweep.csv`, field by field: the values of the parameters, then the result of the run.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 pub struct SweepRow(pub Vec<String>);
 
 impl SweepRow {
-    /// A field by its place, counted from the end.
+    /// The field at `place`, counted from the end.
     fn behind(&self, place: usize) -> &str {
         let at = self.0.len().checked_sub(place);
         at.and_then(|at| self.0.get(at)).map_or("", String::as_str)
@@ -105,17 +105,16 @@ impl FamilySweep<'_> {
         names.chain(COLUMNS).collect()
     }
 
-    /// Runs the share, writes `sweep.csv`, hands each row to `see`, in order, and writes the manifest when all rows are
-    /// there.
+    /// Runs the share, writes `sweep.csv` and passes each row to `see`, in order. Writes the manifest after all rows.
     ///
     /// # Errors
-    /// Those of [`Sweep::run`]; [`CompareError::Input`] for a share without a row.
+    /// The errors of [`Sweep::run`]; [`CompareError::Input`] for a share without a row.
     pub fn run(&self, see: &mut dyn FnMut(SweepRow)) -> Result<Done, CompareError> {
         let began = Instant::now();
         let all = self.models.len() * self.points.count();
         let units = self.share.units(all);
         if units.is_empty() {
-            let allowed = format!("there are {all} rows: give no more shares than that");
+            let allowed = format!("there are {all} rows: give at most {all} shares");
             return Err(CompareError::input("--partition", self.share, allowed));
         }
         let identity = self.identity();
@@ -175,7 +174,7 @@ impl FamilySweep<'_> {
         }
     }
 
-    /// All that the rows of the share depend on, in one line.
+    /// Everything that the rows of the share depend on, in one line.
     fn key(&self, identity: &SweepIdentity, size: usize) -> Result<String, CompareError> {
         let mut checksum = crc32fast::Hasher::new();
         checksum.update(serde_json::to_string(identity)?.as_bytes());

@@ -1,10 +1,9 @@
-//! Long sweeps in chunks that are kept as they come, so that a sweep that was stopped goes on where it
-//! was.
+//! Keeps the finished chunks of a long sweep on disk, so that a sweep that was stopped can continue.
 //!
-//! Chunks are appended to `NAME.csv.part` under a first line that describes the sweep, each as its
-//! lines followed by `done K CHECKSUM`. What follows the last such line was torn when the sweep stopped, and is
-//! dropped. A chunk whose checksum does not fit was edited or damaged: it is computed again, which is said. A part
-//! file of another sweep is neither read nor thrown away without leave.
+//! The first line of `NAME.csv.part` describes the sweep. Each chunk is appended as its lines and a line
+//! `done K CHECKSUM`. Text after the last such line is an unfinished chunk and is dropped. A chunk with a wrong
+//! checksum was edited or damaged: it is computed again, and a message reports it. A part file of another sweep is not
+//! read, and is deleted only if the user asks for it.
 
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -28,7 +27,7 @@ pub(crate) struct Journal {
     kept: Mutex<Kept>,
 }
 
-/// The part file, and where in it the lines of each chunk are.
+/// The part file, and the position of the lines of each chunk in it.
 struct Kept {
     file: File,
     end: u64,
@@ -41,27 +40,26 @@ struct Place {
     length: usize,
 }
 
-/// What an earlier command has left.
+/// The part file of an earlier command.
 #[derive(Debug, PartialEq)]
 enum Found {
-    /// Chunks of the same sweep, but for so many damaged ones.
+    /// Chunks of this sweep; some may be damaged.
     Same { damaged: usize },
-    /// So many chunks of another.
+    /// Chunks of another sweep.
     Other { chunks: usize },
 }
 
 impl Journal {
-    /// Opens the journal of the sweep that `key` describes in one line, with the chunks that are
-    /// finished already.
+    /// Opens the journal of a sweep, with the chunks that are already finished. The line `key` describes the sweep.
     ///
     /// # Errors
-    /// [`CompareError::OtherSweep`] if chunks of another sweep would be lost, unless that is asked for;
+    /// [`CompareError::OtherSweep`] if this would delete chunks of another sweep and the user did not ask for it;
     /// [`CompareError::Write`].
     pub(crate) fn open(out: &OutputFolder, name: &str, key: &str) -> Result<Self, CompareError> {
         let file_name = part_of(&format!("{name}.csv"));
         let path = out.path().join(&file_name);
         let failed = |source| out.failed(&file_name, source);
-        // Written anew without what was torn.
+        // The file is written again without the unfinished chunk.
         let mut anew = BufWriter::new(out.aside(&file_name)?);
         let (mut chunks, mut end) = (BTreeMap::new(), key.len() as u64 + 1);
         writeln!(anew, "{key}").map_err(failed)?;
@@ -97,7 +95,7 @@ impl Journal {
         })
     }
 
-    /// Makes sure that [`Self::open`] loses no chunks of another sweep; nothing is changed or said.
+    /// Checks that [`Self::open`] would not delete chunks of another sweep. Changes nothing and reports nothing.
     ///
     /// # Errors
     /// As [`Self::open`].
@@ -155,17 +153,17 @@ impl Journal {
         Ok(Some(String::from_utf8_lossy(&bytes).into_owned()))
     }
 
-    /// Takes the part file away: its chunks are in the finished file.
+    /// Deletes the part file, because its chunks are in the finished file.
     pub(crate) fn close(self) -> Result<(), CompareError> {
         let path = self.path;
         std::fs::remove_file(&path).map_err(|source| CompareError::Write { path, source })
     }
 
-    /// Computes, in parallel, those of the chunks `0..chunks` that are not finished already, and keeps them; how
-    /// many the time limit left out.
+    /// Computes in parallel the chunks out of `0..chunks` that are not finished, and keeps them. Returns how many the
+    /// time limit left out.
     ///
     /// # Errors
-    /// [`CompareError::Interrupted`] if there was an interrupt; [`CompareError::Write`]; those of `compute`.
+    /// [`CompareError::Interrupted`] after an interrupt; [`CompareError::Write`]; the errors of `compute`.
     pub(crate) fn run(
         &self,
         chunks: usize,
@@ -178,7 +176,7 @@ impl Journal {
         let progress = Progress::begin(what, pending.len(), Pieces::Alike);
         let _keeping = Keeping::begin();
         let left = (pending.into_par_iter())
-            // Chunks differ in price: each thread takes the next one.
+            // Chunks take different times, so each free thread takes the next one.
             .with_max_len(1)
             .map(|chunk| -> Result<usize, CompareError> {
                 let late = time_limit.is_some_and(|limit| started.elapsed() >= limit);
@@ -205,7 +203,7 @@ impl Journal {
 }
 
 impl Found {
-    /// Refuses to lose chunks of another sweep.
+    /// Returns an error if chunks of another sweep would be deleted.
     fn refuse_other(&self, path: &std::path::Path, fresh: bool) -> Result<(), CompareError> {
         match *self {
             Self::Other { chunks } if chunks > 0 && !fresh => Err(CompareError::OtherSweep {
@@ -216,7 +214,7 @@ impl Found {
         }
     }
 
-    /// Says what is lost, or refuses to lose it.
+    /// Reports damaged or deleted chunks; returns an error if chunks of another sweep would be deleted.
     fn judge(&self, path: &std::path::Path, fresh: bool) -> Result<(), CompareError> {
         self.refuse_other(path, fresh)?;
         match *self {
@@ -224,7 +222,7 @@ impl Found {
                 "'{}': {damaged} finished pieces were edited or damaged and are computed again",
                 path.display()
             ),
-            _ if fresh => notice!("'{}' is thrown away", path.display()),
+            _ if fresh => notice!("'{}' is deleted", path.display()),
             _ => {}
         }
         Ok(())
@@ -240,7 +238,7 @@ fn entry(key: &str, chunk: usize, lines: &[u8]) -> String {
     format!("{DONE}{chunk} {:08x}\n", checksum.finalize())
 }
 
-/// Hands on the whole chunks of a part file of the sweep `key`.
+/// Reads the finished chunks from a part file of the sweep `key`.
 fn scan(
     mut text: impl BufRead,
     key: &str,

@@ -1,4 +1,4 @@
-//! What a share of a sweep is, beside its rows: enough to tell whether shares belong together.
+//! The manifest of a share. It describes the sweep, so that shares of different sweeps are never merged.
 
 use std::fs::File;
 use std::io::Read;
@@ -11,54 +11,54 @@ use serde::{Deserialize, Serialize};
 use super::Share;
 use crate::{CompareError, Model};
 
-/// Longest manifest, in bytes.
+/// Largest size of a manifest, in bytes.
 const LONGEST: u64 = 1 << 26;
 
-/// Gaps whose loads tell one table from another, in radii.
+/// Gaps, in radii. The bits of the loads at these gaps identify a table.
 const GAPS: [f64; 4] = [0.02, 0.3, 1.5, 20.0];
 
-/// Arguments of the functions whose bits tell one arithmetic from another.
+/// Arguments of elementary functions. The bits of their values identify the arithmetic of a machine.
 const ARGUMENTS: u32 = 256;
 
-/// The file `sweep.json` beside the rows of a share.
+/// The manifest: the file `sweep.json` beside the rows of a share.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Manifest {
-    /// What is the same for all shares of a sweep.
+    /// Description of the sweep, equal for all its shares.
     pub sweep: SweepIdentity,
-    /// Which share this is.
+    /// The number of this share, and the number of shares.
     pub share: Share,
-    /// First row of the share and the one behind its last, counted from 0 over the whole sweep.
+    /// Range of rows of the share, counted from 0 over the whole sweep; the end is excluded.
     pub rows: Range<usize>,
-    /// Rows of the whole sweep.
+    /// Number of rows of the whole sweep.
     pub all_rows: usize,
-    /// Rows of runs that failed.
+    /// Number of rows of failed runs.
     pub failed: usize,
     /// Length of the file of the rows, in bytes.
     pub bytes: u64,
-    /// CRC-32 of that file.
+    /// CRC-32 of the file of the rows.
     pub checksum: String,
-    /// What its numbers were computed with; more than one only where shares were merged.
+    /// Machines and arithmetic that computed the rows. Only merged shares can have several.
     pub arithmetic: Vec<Arithmetic>,
-    /// Threads of the process that finished it.
+    /// Threads of the process that finished the share.
     pub threads: usize,
-    /// Wall-clock time of that process, in seconds.
+    /// Wall-clock time of the process that finished the share, in seconds.
     pub seconds: f64,
 }
 
-/// What the rows of a sweep depend on.
+/// Everything that the rows of a sweep depend on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SweepIdentity {
     /// Version of the program.
     pub version: String,
-    /// Text of the family.
+    /// Text of the family's scene file.
     pub family: String,
-    /// What is varied, outermost first.
+    /// The parameters that are varied; the first one is the outer loop.
     pub axes: Vec<Axis>,
-    /// The models, outermost of all.
+    /// The models, which are the outermost loop.
     pub models: Vec<ManifestModel>,
-    /// How each run is made.
+    /// Options of each run.
     pub run: String,
 }
 
@@ -72,17 +72,17 @@ pub struct Axis {
     pub values: Vec<f64>,
 }
 
-/// A model of a sweep.
+/// A hydrodynamic model of a sweep.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ManifestModel {
-    /// Its name.
+    /// Name of the model.
     pub name: String,
-    /// What its answers depend on.
+    /// Fingerprint of everything that its loads depend on.
     pub fingerprint: String,
 }
 
-/// What numbers were computed with. Rows of one sweep have the same bits where this is the same.
+/// The machine and its arithmetic. Rows of one sweep have the same bits on machines with an equal `Arithmetic`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Arithmetic {
@@ -95,10 +95,10 @@ pub struct Arithmetic {
 }
 
 impl Arithmetic {
-    /// That of this machine, by these models.
+    /// The arithmetic of this machine with the given models.
     ///
     /// # Errors
-    /// Those of the models.
+    /// The errors of the models.
     pub fn of(models: &[Model], set: LoadSet) -> Result<Self, SceneError> {
         let mut functions = crc32fast::Hasher::new();
         for k in 1..=ARGUMENTS {
@@ -131,7 +131,7 @@ impl Arithmetic {
                             bits.update(&load.to_bits().to_le_bytes());
                         }
                     }
-                    // Where each gap is a solve, one has to do.
+                    // A model that solves for every gap is slow, so one gap must be enough.
                     if model.is_direct() {
                         break;
                     }
@@ -148,7 +148,7 @@ impl Arithmetic {
     }
 }
 
-/// A checksum as it stands in manifests.
+/// A checksum as manifests write it.
 pub(super) fn written(checksum: crc32fast::Hasher) -> String {
     format!("{:08x}", checksum.finalize())
 }
@@ -169,10 +169,10 @@ pub(super) fn measured(path: &Path) -> std::io::Result<(u64, String)> {
 }
 
 impl Manifest {
-    /// Name of its file.
+    /// Name of the manifest's file.
     pub const FILE: &'static str = "sweep.json";
 
-    /// As JSON, for people too.
+    /// The manifest as JSON that people can read.
     ///
     /// # Errors
     /// [`CompareError::Json`].
@@ -180,10 +180,10 @@ impl Manifest {
         Ok(serde_json::to_string_pretty(self)? + "\n")
     }
 
-    /// The manifest in a folder.
+    /// Reads the manifest in a folder.
     ///
     /// # Errors
-    /// [`CompareError::Share`] if there is none, or it is none.
+    /// [`CompareError::Share`] if there is no manifest, or if the file is not a manifest.
     pub fn read(folder: &Path) -> Result<Self, CompareError> {
         let path = folder.join(Self::FILE);
         let torn = |reason: String| CompareError::Share {

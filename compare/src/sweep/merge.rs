@@ -1,4 +1,4 @@
-//! Shares of a sweep put together: byte for byte the file of the sweep that was not shared.
+//! Merges the shares of a sweep. The merged file has the same bytes as the file of a sweep that was not shared.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -9,32 +9,32 @@ use super::{Arithmetic, Share};
 use crate::CompareError;
 use crate::output::OutputFolder;
 
-/// File of the rows.
+/// Name of the file of the rows.
 pub(super) const ROWS: &str = "sweep.csv";
 
-/// What has been merged.
+/// Summary of a merge.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Merged {
-    /// Shares.
+    /// Number of shares.
     pub shares: usize,
-    /// Rows.
+    /// Number of rows.
     pub rows: usize,
-    /// The arithmetics of the shares; more than one if machines differ, and then the last digits may.
+    /// The arithmetics of the shares. If there are several, the last digits of the rows may depend on the machine.
     pub arithmetic: Vec<Arithmetic>,
 }
 
-/// Merges the shares in `folders`, whatever their order, into `sweep.csv` of `out`, with a manifest.
+/// Merges the shares in `folders`, in any order, into `sweep.csv` in `out`, and writes a manifest.
 ///
 /// # Errors
-/// [`CompareError::Share`], naming the share that is missing, there twice, of another sweep, or torn;
-/// [`CompareError::Write`].
+/// [`CompareError::Share`], with the name of a share that is missing, given twice, unfinished, damaged or from
+/// another sweep; [`CompareError::Write`].
 pub fn merge(folders: &[PathBuf], out: &OutputFolder) -> Result<Merged, CompareError> {
     let own = out.path().canonicalize().ok();
     if let Some(folder) = folders
         .iter()
         .find(|folder| folder.canonicalize().ok() == own)
     {
-        let allowed = "it is the folder of a share, which would be lost: give another one";
+        let allowed = "this folder holds a share, which would be overwritten: give another folder";
         return Err(CompareError::input("--out", folder.display(), allowed));
     }
     let shares = in_order(folders)?;
@@ -87,7 +87,7 @@ fn refused(path: &Path, reason: impl Into<String>) -> CompareError {
     }
 }
 
-/// The shares in their order, all of one sweep, none missing and none twice.
+/// The shares in their order. Checks that all belong to one sweep, that none is missing and none is given twice.
 fn in_order(folders: &[PathBuf]) -> Result<Vec<(&PathBuf, Manifest)>, CompareError> {
     let mut shares = (folders.iter())
         .map(|folder| Ok((folder, Manifest::read(folder)?)))
@@ -99,14 +99,14 @@ fn in_order(folders: &[PathBuf]) -> Result<Vec<(&PathBuf, Manifest)>, CompareErr
     for (folder, manifest) in &shares {
         if let Some(what) = difference(&manifest.sweep, &of_first.sweep) {
             let reason = format!(
-                "it is a share of another sweep than '{}': {what} differs",
+                "it is not a share of the same sweep as '{}': {what} differs",
                 first.display()
             );
             return Err(refused(folder, reason));
         }
         if manifest.share.of != of_first.share.of || manifest.all_rows != of_first.all_rows {
             let reason = format!(
-                "it is share {} of {} rows, '{}' is share {} of {}",
+                "it is share {} of {} rows, but '{}' is share {} of {} rows",
                 manifest.share,
                 manifest.all_rows,
                 first.display(),
@@ -121,7 +121,7 @@ fn in_order(folders: &[PathBuf]) -> Result<Vec<(&PathBuf, Manifest)>, CompareErr
             continue;
         };
         if one.share == other.share {
-            let reason = format!("share {} is in '{}' too", one.share, before.display());
+            let reason = format!("share {} is also in '{}'", one.share, before.display());
             return Err(refused(folder, reason));
         }
     }
@@ -132,10 +132,7 @@ fn in_order(folders: &[PathBuf]) -> Result<Vec<(&PathBuf, Manifest)>, CompareErr
         .map(|number| format!("{number}/{of}"))
         .collect();
     if !missing.is_empty() {
-        let reason = format!(
-            "of its sweep these shares are missing: {}",
-            missing.join(", ")
-        );
+        let reason = format!("shares of its sweep are missing: {}", missing.join(", "));
         return Err(refused(first, reason));
     }
     let mut next = 0;
@@ -156,7 +153,7 @@ fn in_order(folders: &[PathBuf]) -> Result<Vec<(&PathBuf, Manifest)>, CompareErr
     Ok(shares)
 }
 
-/// The first thing in which two sweeps differ.
+/// The first difference of two sweeps, in words.
 fn difference(one: &SweepIdentity, other: &SweepIdentity) -> Option<&'static str> {
     [
         ("the version of the program", one.version == other.version),
@@ -169,7 +166,7 @@ fn difference(one: &SweepIdentity, other: &SweepIdentity) -> Option<&'static str
     .find_map(|(what, same)| (!same).then_some(what))
 }
 
-/// Copies the rows of a share, without its header but for the first one.
+/// Copies the rows of a share. Only the first share is copied with its header.
 fn copy(
     folder: &Path,
     manifest: &Manifest,
@@ -287,7 +284,7 @@ mod tests {
         (merged, out.read(ROWS))
     }
 
-    /// What is said of shares that are refused; nothing is written of them.
+    /// The error message for shares that are refused. Checks that nothing is written.
     fn refusal(shares: &[tempfile::TempDir]) -> String {
         let (merged, written) = merged(shares);
         assert_eq!(written, None);
@@ -325,7 +322,7 @@ mod tests {
         assert!(reason.contains("missing: 2/4, 4/4"), "{reason}");
         let shares = [1, 2, 2].map(|number| share(number, 2, |_| {}));
         let reason = refusal(&shares);
-        assert!(reason.contains("share 2/2 is in"), "{reason}");
+        assert!(reason.contains("share 2/2 is also in"), "{reason}");
         let name = shares[2].path().display().to_string();
         assert!(reason.contains(&name), "{reason}");
     }

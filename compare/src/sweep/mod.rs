@@ -1,4 +1,4 @@
-//! Sweeps: many runs in a fixed order, in parallel, kept on disk as they come, shared among machines.
+//! Sweeps: many runs in a fixed order, computed in parallel, kept on disk as they finish, shared among machines.
 
 mod encounters;
 mod family_sweep;
@@ -22,11 +22,11 @@ pub use pieces::{Computed, Done, Kept, Row, Sweep};
 pub use points::{Points, RunChoices};
 pub use share::Share;
 
-/// How a sweep runs.
+/// Options of a sweep.
 #[derive(Clone, Copy, Debug)]
 pub struct SweepOptions {
-    /// How each scene runs.
+    /// Options of each run.
     pub run: RunOptions,
-    /// Time after which no further run is begun; those left out are reported as skipped.
+    /// Time after which no further run begins. Runs that are left out are reported as skipped.
     pub time_limit: Option<Duration>,
 }

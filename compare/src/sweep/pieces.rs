@@ -1,4 +1,4 @@
-//! Rows in numbered units, computed in parallel and kept on disk as they come.
+//! Rows in numbered units, computed in parallel and kept on disk as they finish.
 
 use std::collections::BTreeMap;
 use std::io::Write;
@@ -14,33 +14,33 @@ use crate::encounter::{FAILED, SKIPPED};
 use crate::output::{OutputFolder, rows_of};
 use crate::watch::notice;
 
-/// Pieces that a large sweep is kept in.
+/// Number of pieces of a large sweep.
 const PIECES: usize = 1000;
 
-/// Reasons of failures that are told.
+/// Largest number of reasons of failures that are shown.
 const REASONS: usize = 20;
 
-/// A row that says what became of a run.
+/// A row that has an outcome.
 pub trait Row: DeserializeOwned {
     /// Outcome, `failed` or `skipped`.
     fn outcome(&self) -> &str;
 }
 
-/// Units of rows. Several units may be kept together, as a piece; the rows of a file are those of its units in order.
+/// Units of rows. A piece is one unit or several that are kept together. A file holds the rows of all units in order.
 pub struct Sweep<'a> {
-    /// Name of its file, without the ending.
+    /// Name of the file of the rows, without the ending.
     pub name: &'a str,
-    /// Its units.
+    /// The numbers of its units.
     pub units: Range<usize>,
-    /// Units that are kept together.
+    /// Number of units in a piece.
     pub size: usize,
-    /// What its pieces are called, in words.
+    /// Name of its pieces in messages.
     pub what: &'static str,
-    /// All that the rows depend on, in one line.
+    /// Everything that the rows depend on, in one line.
     pub key: String,
-    /// Time after which no further piece is begun.
+    /// Time after which no further piece begins.
     pub time_limit: Option<Duration>,
-    /// Where rows are kept.
+    /// The folder for the rows.
     pub out: &'a OutputFolder,
 }
 
@@ -49,18 +49,18 @@ pub struct Sweep<'a> {
 pub struct Computed {
     /// Rows, as CSV lines without a header.
     pub lines: String,
-    /// Why a run of them has no result, in one line.
+    /// The reason why a run of this unit has no result, in one line.
     pub failure: Option<String>,
 }
 
-/// Rows that have been counted.
+/// Counts of rows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Done {
-    /// All rows.
+    /// Number of all rows.
     pub rows: usize,
-    /// Rows of runs that failed.
+    /// Number of rows of failed runs.
     pub failed: usize,
-    /// Rows of runs that the time limit left out.
+    /// Number of rows of runs that the time limit left out.
     pub skipped: usize,
 }
 
@@ -72,7 +72,7 @@ impl Done {
         self.skipped += usize::from(outcome == SKIPPED);
     }
 
-    /// Whether every run has been begun.
+    /// Whether no run was left out.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.skipped == 0
@@ -80,7 +80,7 @@ impl Done {
 }
 
 impl<'a> Sweep<'a> {
-    /// Units that are kept together in a sweep of so many.
+    /// Number of units in a piece, for a sweep of `units` units.
     #[must_use]
     pub fn size_of(units: usize) -> usize {
         (units / PIECES).max(1)
@@ -96,19 +96,19 @@ impl<'a> Sweep<'a> {
         start..(start + self.size).min(self.units.end)
     }
 
-    /// Makes sure that [`Self::run`] loses no rows of another sweep; nothing is changed or told.
+    /// Checks that [`Self::run`] would not delete rows of another sweep. Changes nothing and reports nothing.
     ///
     /// # Errors
-    /// [`CompareError::OtherSweep`] if it would; [`CompareError::Write`].
+    /// [`CompareError::OtherSweep`] if it would delete such rows; [`CompareError::Write`].
     pub fn check(&self) -> Result<(), CompareError> {
         Journal::check(self.out, self.name, &self.key)
     }
 
-    /// Computes the units that an earlier command has not, and keeps them.
+    /// Computes and keeps all units that no earlier command has computed.
     ///
     /// # Errors
-    /// [`CompareError::OtherSweep`] if rows of another sweep would be lost; [`CompareError::Interrupted`] after an
-    /// interrupt; [`CompareError::Write`]; those of `compute`.
+    /// [`CompareError::OtherSweep`] if this would delete rows of another sweep; [`CompareError::Interrupted`] after an
+    /// interrupt; [`CompareError::Write`]; the errors of `compute`.
     pub fn run(
         &'a self,
         compute: impl Fn(usize) -> Result<Computed, CompareError> + Sync,
@@ -140,7 +140,7 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// Units that have been computed, on disk.
+/// The computed units, on disk.
 pub struct Kept<'a> {
     sweep: &'a Sweep<'a>,
     journal: Journal,
@@ -149,13 +149,13 @@ pub struct Kept<'a> {
 }
 
 impl Kept<'_> {
-    /// Pieces that the time limit has left out.
+    /// Number of pieces that the time limit left out.
     #[must_use]
     pub fn left(&self) -> usize {
         self.left
     }
 
-    /// Pieces in all.
+    /// Number of all pieces.
     #[must_use]
     pub fn pieces(&self) -> usize {
         self.sweep.pieces()
@@ -169,10 +169,10 @@ impl Kept<'_> {
         self.journal.lines(piece)
     }
 
-    /// The rows of some pieces that have been computed.
+    /// The rows of some computed pieces.
     ///
     /// # Errors
-    /// [`CompareError::Write`] if they can't be read back; [`CompareError::Rows`] if they are other rows.
+    /// [`CompareError::Write`] if they can't be read back; [`CompareError::Rows`] if they are not rows of this type.
     pub fn rows<R: DeserializeOwned>(&self, pieces: Range<usize>) -> Result<Vec<R>, CompareError> {
         let mut rows = Vec::new();
         for piece in pieces {
@@ -183,7 +183,7 @@ impl Kept<'_> {
         Ok(rows)
     }
 
-    /// Takes the part file away: what was made of it is there.
+    /// Deletes the part file, because the final file is written.
     ///
     /// # Errors
     /// [`CompareError::Write`].
@@ -191,9 +191,9 @@ impl Kept<'_> {
         self.journal.close()
     }
 
-    /// Writes the file below a line of `header`, and hands each row to `see`, in order; `skipped` makes up the lines of
-    /// a unit that the time limit has left out. A file that holds more rows already stays as it is. Tells what failed
-    /// or was left out.
+    /// Writes the line `header` and all rows to the file, and passes each row to `see`, in order. The function
+    /// `skipped` gives the lines of a unit that the time limit left out. A file that already has more finished rows is
+    /// not changed. Reports failed runs and runs that were left out.
     ///
     /// # Errors
     /// [`CompareError::Write`]; [`CompareError::Rows`].
@@ -233,7 +233,7 @@ impl Kept<'_> {
         };
         if self.left > 0 && self.file_holds_more(&file)? {
             fill(&mut std::io::sink())?;
-            notice!("'{file}' holds more of a sweep already and stays as it is");
+            notice!("'{file}' already has more finished rows and is not changed");
         } else {
             out.write_by(&file, fill)?;
         }
@@ -245,7 +245,7 @@ impl Kept<'_> {
         }
         if done.skipped > 0 {
             notice!(
-                "{} of {} rows are left; the same command goes on from {file}.part",
+                "{} of {} rows are left; the same command continues from {file}.part",
                 done.skipped,
                 done.rows
             );
@@ -256,7 +256,7 @@ impl Kept<'_> {
         Ok(done)
     }
 
-    /// Whether the file is there already, and is not an unfinished one with no more finished rows than are kept here.
+    /// Whether the file exists and is finished, or has more finished rows than are kept here.
     fn file_holds_more(&self, file: &str) -> Result<bool, CompareError> {
         let Ok(mut reader) = csv::Reader::from_path(self.sweep.out.path().join(file)) else {
             return Ok(false);

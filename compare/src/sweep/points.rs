@@ -6,13 +6,13 @@ use super::Axis;
 use super::family_sweep::COLUMNS;
 use crate::{CompareError, Family, Numbers};
 
-/// Most points of a sweep.
+/// Largest number of points of a sweep.
 const MOST_POINTS: usize = 1 << 40;
 
-/// Points up to which the loads that a sweep reads are looked up at each of them.
+/// Largest number of points for which every point is checked for the loads that it reads.
 const LOOKED_UP: usize = 10_000;
 
-/// The points of a sweep: a family and the parameters that are varied, the last one fastest.
+/// The points of a sweep: a family and the parameters that are varied. The last parameter varies fastest.
 #[derive(Clone, Debug)]
 pub struct Points {
     family: Family,
@@ -20,21 +20,21 @@ pub struct Points {
     run: RunChoices,
 }
 
-/// What a sweep says of its runs in place of the family's file.
+/// Options of the runs that replace those of the family's file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RunChoices {
-    /// Tolerance of the steps; the file's if none.
+    /// Tolerance of the integrator; `None` uses the tolerance of the family's file.
     pub tolerance: Option<f64>,
     /// Distance of the centres at which angles are read, in radii.
     pub angles_at: f64,
 }
 
 impl Points {
-    /// Varies parameters of a family; each list of values is one axis, the first one outermost.
+    /// Varies parameters of a family. Each list of values is one axis; the first axis is the outer loop.
     ///
     /// # Errors
-    /// [`CompareError::Input`] for a name that is no parameter, a parameter that is there twice, and more points than can
-    /// be counted.
+    /// [`CompareError::Input`] for a name that is not a parameter, for a parameter that is given twice, and for too
+    /// many points.
     pub fn new(
         family: Family,
         vary: &[(String, Numbers)],
@@ -77,13 +77,13 @@ impl Points {
         Ok(Self { family, axes, run })
     }
 
-    /// How many points there are.
+    /// Number of points.
     #[must_use]
     pub fn count(&self) -> usize {
         self.axes.iter().map(|axis| axis.values.len()).product()
     }
 
-    /// What is varied, outermost first.
+    /// The axes; the first one is the outer loop.
     #[must_use]
     pub fn axes(&self) -> &[Axis] {
         &self.axes
@@ -95,13 +95,13 @@ impl Points {
         &self.family
     }
 
-    /// What is said of the runs.
+    /// Options of the runs that replace those of the family's file.
     #[must_use]
     pub fn choices(&self) -> RunChoices {
         self.run
     }
 
-    /// The values at the point with this number, axis by axis.
+    /// The values of the parameters at point `number`, axis by axis.
     pub(super) fn values(&self, point: usize) -> Vec<(&str, f64)> {
         let mut rest = point;
         let mut values: Vec<_> = (self.axes.iter().rev())
@@ -115,8 +115,7 @@ impl Points {
         values
     }
 
-    /// The numbers of points that stand for all of them: each value of each axis, with the first and with the last values
-    /// of the others.
+    /// Numbers of typical points: each value of each axis, with the first and with the last values of the other axes.
     fn typical(&self) -> Vec<usize> {
         let last = self.count() - 1;
         let mut stride = self.count();
@@ -133,11 +132,11 @@ impl Points {
         numbers
     }
 
-    /// The loads that the motion reads, of all points or, of very many, of those that stand for them and of any that have
-    /// no symmetry.
+    /// The loads that the motion reads at all points. For very many points, only typical points are checked, and the
+    /// loads of a pair without symmetry are added.
     ///
     /// # Errors
-    /// [`CompareError::FamilyPoint`] for a point that is no scene; [`CompareError::Scene`].
+    /// [`CompareError::FamilyPoint`] for a point whose scene is not valid; [`CompareError::Scene`].
     pub fn load_set(&self) -> Result<LoadSet, CompareError> {
         let count = self.count();
         let numbers = if count <= LOOKED_UP {
@@ -164,7 +163,7 @@ impl Points {
         })
     }
 
-    /// How a point is run whose file says `file`.
+    /// Options of the run of a point, from the options of its file.
     pub(super) fn options(&self, file: RunOptions) -> RunOptions {
         RunOptions {
             sample_interval: None,
@@ -248,7 +247,7 @@ mod tests {
 
     #[test]
     fn a_sweep_reads_the_loads_of_all_its_points() {
-        // Side by side and alike the pair is its own mirror image; above one another it is not.
+        // Two equal squirmers side by side are their own mirror image; one above the other they are not.
         let alone = points(&[]).unwrap().load_set().unwrap();
         let both = points(&[("y", &[0.0, 1.0])]).unwrap().load_set().unwrap();
         assert_ne!(alone, both);

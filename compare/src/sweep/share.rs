@@ -1,4 +1,4 @@
-//! The share of a sweep that one of several processes runs.
+//! The share of a sweep that one process runs.
 
 use std::fmt;
 use std::ops::Range;
@@ -6,23 +6,23 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-/// Most shares of a sweep.
+/// Largest number of shares of a sweep.
 const MOST: usize = 100_000;
 
-/// Share number `number` of `of`, counted from 1: shares are contiguous and differ by at most one unit.
+/// Share `number` of `of`, counted from 1. A share is a contiguous range of units; sizes differ by at most one unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Share {
-    /// Which one, from 1.
+    /// Number of this share, from 1.
     pub number: usize,
-    /// How many there are.
+    /// Number of shares.
     pub of: usize,
 }
 
 impl Share {
-    /// The whole sweep.
+    /// The share that is the whole sweep.
     pub const ALL: Self = Self { number: 1, of: 1 };
 
-    /// The units of this share, of so many.
+    /// The range of units of this share, for a sweep of `all` units.
     #[must_use]
     pub fn units(self, all: usize) -> Range<usize> {
         // The product of any two of these numbers fits into 128 bits.

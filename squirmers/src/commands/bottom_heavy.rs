@@ -1,4 +1,4 @@
-//! The command for bottom-heavy squirmers.
+//! `squirmers bottom-heavy`: bottom-heavy squirmers under gravity.
 
 use clap::Arg;
 
@@ -14,11 +14,12 @@ use compare::numbers::{rounded, written};
 use compare::output::csv_text;
 use compare::{Defaults, NoRun};
 
-/// The argument `--time-limit` of this command, which keeps no runs: it needs each whole for its picture.
+/// The argument `--time-limit` of this command. The command keeps no finished runs, because its picture needs whole
+/// runs.
 pub(crate) fn time_limit(arg: Arg) -> Arg {
     arg.help(
-        "Begin no further run after this time; those left out are reported (exit status 75), and the same command begins \
-         anew",
+        "Begin no further run after this time; runs that are left out are reported (exit status 75), and the same command \
+         starts from the beginning",
     )
 }
 
@@ -38,7 +39,7 @@ pub(super) fn run(
     let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
     let stopped = out.account().enter(runs.iter().map(|run| &run.run));
     if stopped && out.holds("bottom-heavy.csv") {
-        complain!("'bottom-heavy.csv' holds more already and stays as it is");
+        complain!("'bottom-heavy.csv' already has more rows and is not changed");
     } else {
         out.write("bottom-heavy.csv", &csv_text(&rows)?)?;
     }
@@ -54,7 +55,7 @@ pub(super) fn run(
     Ok(out.account().verdict()?)
 }
 
-/// One line about a run without a result.
+/// A message about a run without a result.
 pub(crate) fn failure(run: &PanelRun, reason: &NoRun) -> String {
     format!("panel {}, {}: {reason}", run.case.panel, run.method)
 }

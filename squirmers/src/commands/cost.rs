@@ -1,4 +1,4 @@
-//! `squirmers cost`: measured rows to files, pictures from these files, and the short of it in words.
+//! `squirmers cost`: writes the measured rows, draws them, and prints a summary.
 
 use std::time::Instant;
 
@@ -20,7 +20,7 @@ use compare::watch::{Pieces, Progress};
 
 use crate::provenance;
 
-/// Angle that is aimed at when nothing is said, in degrees.
+/// Default target: error of the outgoing angles, in degrees.
 const TARGET: &str = "0.1deg";
 
 /// Gap at which the boundary elements are profiled, in radii.
@@ -28,13 +28,13 @@ const PROFILED_GAP: f64 = 0.01;
 
 #[derive(Debug, Args)]
 pub(crate) struct CostArguments {
-    /// Error of the outgoing angles to reach, in degrees
+    /// Target: the error of the outgoing angles, in degrees
     #[arg(long, value_name = "ANGLE", default_value = TARGET, allow_hyphen_values = true)]
     target: String,
-    /// Also print where the time of a trajectory goes
+    /// Also print the times of the parts of a trajectory
     #[arg(long)]
     profile: bool,
-    /// Fewer levels, sizes and cases: within a minute
+    /// Measure fewer levels, sizes and cases: takes about a minute
     #[arg(long)]
     quick: bool,
 }
@@ -55,7 +55,7 @@ pub(super) fn run(
     drop(progress);
     let csv = csv_text(&rows)?;
     out.write("cost.csv", &csv)?;
-    // Pictures show what the file says, and nothing else.
+    // The pictures show the rows of the file, and nothing else.
     let rows = cost::read(&csv)?;
     out.write("cost-loads.svg", &loads_work_precision(&rows)?)?;
     out.write("cost-deflections.svg", &deflections_work_precision(&rows)?)?;
@@ -127,7 +127,7 @@ fn print_findings(findings: &[Finding]) {
     );
 }
 
-/// Where the time of a boundary-element solve at a small gap goes, at the default level.
+/// Times of the parts of a boundary-element solve at a small gap, at the default level.
 fn bem_profile_lines() -> Result<Vec<String>, CommandError> {
     let bem = Bem::new(Bem::DEFAULT_LEVEL)?;
     let solution = bem.solve(Gap::new(PROFILED_GAP)?, LoadSet::all(2))?;

@@ -1,4 +1,4 @@
-//! `squirmers head-on`, `orthogonal` and `offset`: the paper's encounters, in and out of the plane.
+//! `squirmers head-on`, `orthogonal` and `offset`: the paper's encounters, with and without an offset out of the plane.
 
 use compare::kept_rows::{Drawn, KeptRows};
 use compare::numbers::{Numbers, rounded, written};
@@ -56,7 +56,7 @@ pub(super) fn encounters(
     Ok(out.account().verdict()?)
 }
 
-/// All combinations, with the spheres checked not to overlap at the start.
+/// All combinations. Checks that the spheres do not overlap at the start.
 pub(crate) fn cases(
     approach: Approach,
     beta: &[f64],

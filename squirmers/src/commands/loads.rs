@@ -1,4 +1,4 @@
-//! `squirmers loads`: the loads of a pair at some gaps, with what each may be off by.
+//! `squirmers loads`: the loads of a pair at some gaps, each with an error estimate.
 
 use bem::Bem;
 use scene::{Gap, Hydrodynamics, LoadSet};
@@ -14,7 +14,7 @@ use compare::output::{OutputFolder, csv_text};
 use compare::watch::{Pieces, Progress};
 use compare::{Method, Model, ModelOptions, Numbers};
 
-/// Gaps up to which every load is solved for: a table would take longer.
+/// Largest number of gaps at which every load is solved for. With more gaps a table is faster.
 const SOLVED: usize = 40;
 
 #[derive(Serialize)]
@@ -23,7 +23,8 @@ struct LoadRow {
     gap: f64,
     name: String,
     value: f64,
-    /// The model's own estimate, relative to the larger of the load and 1; `none` for a closed form, which has none.
+    /// The model's own error estimate, relative to the larger of the load and 1; `none` for a closed form, which has no
+    /// estimate.
     error_estimate: String,
 }
 
@@ -45,12 +46,12 @@ pub(super) fn run(
     let gaps: Vec<_> = (gaps.0.iter())
         .map(|&eps| {
             Gap::new(eps).map_err(|_| {
-                let allowed = "gaps must be greater than 0 and finite (commas part them, decimals take a point)";
+                let allowed = "gaps must be greater than 0 and finite (commas separate them, decimals take a point)";
                 CommandError::input("--gap", format!("{eps:?}"), allowed)
             })
         })
         .collect::<Result<_, _>>()?;
-    // Its file is whole whoever writes it last.
+    // Several of these commands may write at once, because each writes a whole file.
     let out = OutputFolder::open_beside_others(&general.out)?;
     let mut rows = Vec::new();
     for &method in &methods {
@@ -85,7 +86,7 @@ pub(super) fn run(
     Ok(())
 }
 
-/// What gives the loads of a method at a gap: boundary elements that are solved for estimate each load by itself.
+/// The source of the loads of a method. Boundary elements without a table estimate the error of each load.
 fn estimator(
     method: Method,
     set: LoadSet,
@@ -114,7 +115,7 @@ fn estimator(
     }))
 }
 
-/// Refuses a gap that the method cannot answer for before anything is computed.
+/// Refuses gaps outside the method's range, before anything is computed.
 fn check_range(method: Method, options: &ModelOptions, gaps: &[Gap]) -> Result<(), CommandError> {
     for &gap in gaps {
         method.check_gap(options.mesh, gap).map_err(|error| {

@@ -1,4 +1,4 @@
-//! What commands print and draw of sweeps, however many runs these have.
+//! Limits on what commands print and draw of sweeps with many runs.
 
 use crate::error::CommandError;
 use crate::streams::say;
@@ -6,20 +6,20 @@ use compare::Approach;
 use compare::kept_rows::{Drawn, MOST_RUNS};
 use compare::output::OutputFolder;
 
-/// How many combinations there are, if a sweep can hold so many.
+/// The number of combinations, if a sweep can have so many.
 pub(super) fn checked_count(beta: &[f64], dx: &[f64], dz: &[f64]) -> Result<usize, CommandError> {
     let count = (beta.len())
         .saturating_mul(dx.len())
         .saturating_mul(dz.len());
     if count > MOST_RUNS {
         let allowed =
-            format!("a sweep holds at most {MOST_RUNS} combinations of --beta, --dx and --dz");
+            format!("a sweep has at most {MOST_RUNS} combinations of --beta, --dx and --dz");
         return Err(CommandError::input("a sweep of", count, allowed));
     }
     Ok(count)
 }
 
-/// Takes away pictures of an earlier sweep which this one, having too many runs, does not replace.
+/// Deletes the pictures of an earlier sweep that this sweep does not replace because it has too many runs.
 pub(super) fn drop_undrawn(
     drawn: Drawn,
     approach: Approach,
@@ -36,24 +36,24 @@ pub(super) fn drop_undrawn(
     Ok(())
 }
 
-/// Rows that are printed; the file has all.
+/// Largest number of rows that are printed; the file has all rows.
 pub(super) const PRINTED: usize = 1000;
 
-/// Keeps a row that is to be printed.
+/// Keeps a row for printing, unless there are enough.
 pub(super) fn keep_first<R>(first: &mut Vec<R>, row: R) {
     if first.len() < PRINTED {
         first.push(row);
     }
 }
 
-/// Says that there are more than the rows printed.
+/// Reports the number of rows that are not printed.
 pub(super) fn print_rest(rows: usize, name: impl std::fmt::Display) {
     if rows > PRINTED {
         say!("and {} more rows in {name}.csv", rows - PRINTED);
     }
 }
 
-/// Says which pictures there are not, and why.
+/// Reports which pictures are not drawn, and why.
 pub(super) fn say_undrawn(drawn: Drawn, runs: usize) {
     match drawn {
         Drawn::Paths => {}

@@ -1,4 +1,4 @@
-//! The commands that map the plane of initial directions.
+//! `squirmers scatter`, `fates` and `trust`: maps over the plane of initial directions.
 
 use clap::{Arg, Args};
 
@@ -14,7 +14,7 @@ use compare::output::{OutputFolder, csv_text};
 use compare::sweep::SweepOptions;
 use compare::{Method, Model};
 
-/// The methods that maps run when none are named.
+/// The default methods of maps.
 pub(crate) const METHODS: [Method; 2] = [Method::Lt, Method::Exact];
 
 /// Arguments of the commands that map the plane of initial directions.
@@ -26,8 +26,8 @@ pub(crate) struct MapArguments {
     /// Bottom-heavinesses G_bh, with gravity along -y [default: 0]
     #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
     pub g: Option<Numbers>,
-    /// Points a side, evenly from 0.01 to 1.99, in Delta and Sigma; an even number avoids the singular
-    /// lines Delta = 1 and Sigma = 1
+    /// Points a side, evenly spaced from 0.01 to 1.99 in Delta and Sigma. An even number avoids the singular lines
+    /// Delta = 1 and Sigma = 1
     #[arg(
         long,
         value_name = "N",
@@ -55,7 +55,7 @@ pub(crate) fn tolerance(arg: Arg) -> Arg {
 /// The argument `--time-limit` of a map.
 pub(crate) fn time_limit(arg: Arg) -> Arg {
     arg.help(
-        "Begin no further line of a map after this time; the same command goes on later (exit status 75)",
+        "Begin no further line of a map after this time; the same command continues later (exit status 75)",
     )
 }
 
@@ -64,13 +64,13 @@ pub(crate) fn time_limit(arg: Arg) -> Arg {
 pub(crate) struct TrustArguments {
     #[command(flatten)]
     map: MapArguments,
-    /// Offsets out of the plane, in radii: the first squirmer starts raised by dz/2, the second lowered
+    /// Offsets out of the plane, in radii: squirmer 1 starts at z = dz/2, squirmer 2 at z = -dz/2
     /// [default: 0]
     #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
     dz: Option<Numbers>,
 }
 
-/// What a map's command runs, checked.
+/// The checked arguments of a command that maps.
 struct Checked {
     models: Vec<Model>,
     pairs: Vec<Pair>,
@@ -80,7 +80,7 @@ struct Checked {
 }
 
 impl Checked {
-    /// Its maps, kept under this name, judged by an exact model if they are.
+    /// The maps with the file name `name`. With `exact`, the models are compared with the exact one.
     fn maps<'a>(&'a self, name: &'static str, exact: Option<&'a Model>) -> Maps<'a> {
         Maps {
             name,
@@ -159,7 +159,7 @@ pub(super) fn trust(arguments: &TrustArguments, general: &Arguments) -> Result<(
     let exact = run.models.iter().position(|m| m.method() == Method::Exact);
     let exact = exact.map(|place| run.models.remove(place));
     if run.models.is_empty() {
-        let allowed = "name a method that it is to judge too, such as lt,exact";
+        let allowed = "also name a method to compare with it, such as lt,exact";
         return Err(CommandError::input("--method", "exact", allowed));
     }
     let all: Vec<&Model> = run.models.iter().chain(&exact).collect();
@@ -190,18 +190,18 @@ pub(super) fn trust(arguments: &TrustArguments, general: &Arguments) -> Result<(
     Ok(run.out.account().verdict()?)
 }
 
-/// Which bound states one model has and the other has not; how fast they grow is in the file alone, for names of
-/// outcomes would not fit beside it.
+/// Prints the bound states that one model has and the other does not have. Growth rates are only in the file, because
+/// the table would be too wide.
 fn print_examples(examples: &[BoundExample]) {
     let header = [
-        "judged",
+        "method",
         "beta",
-        "its outcome",
+        "outcome",
         "exact",
         "%",
         "Delta",
         "Sigma",
-        "the other has it",
+        "in other model",
         "gap [a]",
     ];
     let line = |row: &BoundExample| {
@@ -231,7 +231,7 @@ fn percent(share: f64) -> String {
     format!("{:.2}", 100.0 * share)
 }
 
-/// Shares in per cent, of the outcomes that occur.
+/// Shares of the outcomes that occur, in per cent.
 fn print_fates(rows: &[FateRow]) {
     let occur: Vec<_> = (FateRow::SHARES.into_iter())
         .filter(|(_, share)| rows.iter().any(|row| share(row) > 0.0))

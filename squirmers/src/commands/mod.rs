@@ -1,4 +1,4 @@
-//! The commands, from checked arguments to files.
+//! The commands: from arguments to files.
 
 pub(crate) mod bottom_heavy;
 pub(crate) mod cost;
@@ -62,7 +62,7 @@ pub(crate) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), Command
     }
 }
 
-/// Checks the methods, `default` if none are named, and what they need.
+/// The checked methods, or `default` if the user names none, and their options.
 pub(super) fn model_options(
     arguments: &ModelArguments,
     default: &[Method],
@@ -78,7 +78,7 @@ pub(super) fn model_options(
     }
     if let Some(mesh) = arguments.mesh {
         if !methods.contains(&Method::Bem) {
-            let allowed = "no boundary elements run: leave it out, or name bem with --method";
+            let allowed = "no method uses boundary elements: leave this option out, or name bem with --method";
             return Err(CommandError::input("--mesh", mesh, allowed));
         }
         options.mesh = mesh;
@@ -95,7 +95,7 @@ pub(super) fn set_up(
         .collect()
 }
 
-/// The tolerance, if it is one.
+/// The tolerance, if it is allowed.
 pub(super) fn checked_tolerance(tolerance: f64) -> Result<f64, CommandError> {
     if !(1e-14..=1e-2).contains(&tolerance) {
         let allowed = "give a number from 1e-14 to 1e-2";
@@ -105,7 +105,7 @@ pub(super) fn checked_tolerance(tolerance: f64) -> Result<f64, CommandError> {
     Ok(tolerance)
 }
 
-/// The distance at which angles are read, and the time limit, if they are such.
+/// The distance at which angles are read, and the time limit, if they are allowed.
 pub(super) fn checked_limits(
     limits: &LimitArguments,
 ) -> Result<(f64, Option<Duration>), CommandError> {
@@ -137,7 +137,7 @@ pub(super) fn sweep_options(runs: &RunArguments) -> Result<SweepOptions, Command
     })
 }
 
-/// A highest slip mode, if loads can hold so many.
+/// The highest slip mode, if it is allowed.
 fn highest(what: &'static str, modes: usize) -> Result<usize, CommandError> {
     if modes > MAX_MODES {
         let allowed = format!("modes go from 0 (none) to {MAX_MODES}");

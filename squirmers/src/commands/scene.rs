@@ -1,4 +1,4 @@
-//! `squirmers run` and `squirmers explain`: one scene from its file.
+//! `squirmers run` and `squirmers explain`: one scene from a file.
 
 use std::fs::File;
 use std::io::{ErrorKind, Read};
@@ -16,7 +16,7 @@ use compare::numbers::{rounded, size};
 use compare::scene_run::{self, SampleRow, Summary};
 use compare::{CompareError, Model, ModelOptions, SceneFile};
 
-/// Longest scene file, in bytes.
+/// Largest size of a scene file, in bytes.
 const LONGEST_FILE: u64 = 1 << 20;
 
 #[derive(Debug, Args)]
@@ -24,7 +24,7 @@ pub(crate) struct RunArguments {
     /// Scene file (docs/SCENES.md lists its keys)
     #[arg(value_name = "SCENE.toml")]
     file: PathBuf,
-    /// Print the summary as one JSON object, and nothing else, on standard output
+    /// Print only the summary, as one JSON object, on standard output
     #[arg(long)]
     json: bool,
 }
@@ -36,7 +36,7 @@ pub(crate) struct ExplainArguments {
     file: PathBuf,
 }
 
-/// Text of a scene file.
+/// Reads the text of a scene file.
 pub(super) fn text(path: &Path) -> Result<String, CommandError> {
     let failed = |source| CompareError::Read {
         path: path.to_owned(),
@@ -44,10 +44,10 @@ pub(super) fn text(path: &Path) -> Result<String, CommandError> {
     };
     let file = File::open(path).map_err(failed)?;
     let mut text = String::new();
-    // Some files have no end.
+    // Files such as /dev/zero never end.
     let read = file.take(LONGEST_FILE + 1).read_to_string(&mut text);
     if text.len() as u64 > LONGEST_FILE {
-        let reason = format!("it is longer than {LONGEST_FILE} bytes, which no scene file is");
+        let reason = format!("it is longer than {LONGEST_FILE} bytes, the limit for scene files");
         return Err(failed(std::io::Error::new(ErrorKind::FileTooLarge, reason)).into());
     }
     read.map_err(failed)?;
@@ -81,7 +81,7 @@ pub(super) fn run(arguments: &RunArguments, general: &Arguments) -> Result<(), C
     if streamed.is_err() {
         let earlier = scene_run::earlier(&out);
         if !earlier.is_empty() {
-            complain!("files of an earlier run: {}", earlier.join(", "));
+            complain!("files of an earlier run were kept: {}", earlier.join(", "));
         }
     }
     let (run, rows) = streamed?;
@@ -186,13 +186,13 @@ pub(super) fn explain(
     Ok(())
 }
 
-/// What the answer costs besides steps: counts, which are the same on every machine.
+/// The cost of the run as counts, which are equal on every machine.
 fn cost_in_words(model: &Model, plan: &Plan) -> String {
-    let stages = "A step that is accepted takes 12 right-hand sides";
+    let stages = "An accepted step takes 12 right-hand sides";
     match model.table() {
         Some(table) => format!(
-            "{stages}, which read {} columns of a table. The table is the price: {} solves of the model, to an \
-             interpolation error of {}. It is kept for other scenes that read the same loads.",
+            "{stages}, which read {} columns of a table. Building the table took {} solves of the model; its \
+             interpolation error is {}. The table is kept for other scenes that read the same loads.",
             plan.load_set().column_count(),
             table.evaluations,
             size(table.interpolation_error)

@@ -1,4 +1,4 @@
-//! `squirmers sweep` and `squirmers merge`: families along any of their parameters, on one machine or many.
+//! `squirmers sweep` and `squirmers merge`: sweeps of families along their parameters, on one machine or several.
 
 use std::path::PathBuf;
 
@@ -20,13 +20,13 @@ pub(crate) struct SweepArguments {
     /// Scene file with parameters (docs/SCENES.md), or one of the paper's: opposed, right-angles, incoming-angles
     #[arg(value_name = "FAMILY")]
     family: String,
-    /// A parameter and its values; again for each further one, the last of which runs fastest
+    /// A parameter and its values. Repeat the option for more parameters; the last one varies fastest
     #[arg(long, value_name = "NAME=LIST", value_parser = parse_vary, allow_hyphen_values = true)]
     vary: Vec<(String, Numbers)>,
-    /// Run share m of n only: shares are merged by 'squirmers merge'
+    /// Run only share m of n; 'squirmers merge' merges the shares
     #[arg(long, value_name = "m/n", value_parser = parse_share)]
     partition: Option<Share>,
-    /// Tolerance of a trajectory's steps [default: the family's]
+    /// Tolerance of the integrator [default: the family's]
     #[arg(long, value_name = "TOL", value_parser = parse_number, allow_hyphen_values = true)]
     tol: Option<f64>,
     #[command(flatten)]
@@ -52,13 +52,13 @@ pub(crate) fn methods(arg: Arg) -> Arg {
 /// The argument `--time-limit` of a sweep.
 pub(crate) fn time_limit(arg: Arg) -> Arg {
     arg.help(
-        "Begin no further part of the sweep after this time; the same command goes on later (exit status 75)",
+        "Begin no further part of the sweep after this time; the same command continues later (exit status 75)",
     )
 }
 
 fn parse_vary(text: &str) -> Result<(String, Numbers), String> {
     let (name, list) = (text.split_once('='))
-        .ok_or_else(|| format!("'{text}' names no values: give NAME=LIST, such as dx=0:3:0.5"))?;
+        .ok_or_else(|| format!("'{text}' has no values: give NAME=LIST, such as dx=0:3:0.5"))?;
     Ok((name.trim().to_owned(), parse_numbers(list)?))
 }
 
@@ -66,7 +66,7 @@ fn parse_share(text: &str) -> Result<Share, String> {
     text.parse()
 }
 
-/// The family: one of the paper's by its name, or else from its file.
+/// The family: one of the paper's by its name, or else from a file.
 fn family(named: &str) -> Result<Family, CommandError> {
     let paper = (Family::PAPER.iter()).find(|(name, _)| *name == named);
     let (path, text) = match paper {
@@ -124,7 +124,7 @@ pub(super) fn run(arguments: &SweepArguments, general: &Arguments) -> Result<(),
     Ok(out.account().verdict()?)
 }
 
-/// A row as a person reads it, behind so many parameters.
+/// A row for the printed table; the first `parameters` fields are values of parameters.
 fn printed(row: &SweepRow, parameters: usize) -> Vec<String> {
     let field = |(place, text): (usize, &String)| match text.parse::<f64>() {
         Ok(value) if place < parameters => written(value),

@@ -1,5 +1,5 @@
-//! Deflection against the offset of the paths (the paper's Fig. 6c): a curve for each method, and
-//! for each beta if there are several; a panel for each squirmer where the two differ.
+//! Deflection as a function of the offset of the paths (the paper's Fig. 6c): a curve for each method and beta, and a
+//! panel for each squirmer if the deflections of the two differ.
 
 use super::canvas::{Axes, Axis, Entry, Key, Layout, Panel};
 use super::range::padded;
@@ -7,10 +7,10 @@ use super::style::{Dash, INK, Shape, Stroke, colour};
 use super::{FigureError, approach_title, distinct, methods, number, same};
 use compare::{Encounter, EncounterRow};
 
-/// Angle in degrees up to which two deflections are drawn as one.
+/// Largest difference in degrees of two deflections that are drawn as one.
 const SAME_DEFLECTION: f64 = 0.05;
 
-/// Angles in degrees up to which all deflections are drawn as none.
+/// Largest deflection in degrees that is drawn as zero.
 pub(super) const NOISE: f64 = 1e-5;
 
 struct Dot {
@@ -26,11 +26,12 @@ struct Curve {
     dots: Vec<Dot>,
 }
 
-/// Draws the deflections, in degrees, against `dx`. Pairs that did not part are hollow and off the curves; the axis is
-/// that of the pairs which did, if there are any, and what lies beyond it is not drawn.
+/// Draws the deflections, in degrees, as a function of `dx`. Pairs that did not part have hollow markers off the
+/// curves. The range of the y axis follows from the pairs that parted, if there are any; points outside it are not
+/// drawn.
 ///
 /// # Errors
-/// [`FigureError`] if there is no run, or more than one approach.
+/// [`FigureError`] if there are no runs, or runs of more than one approach.
 pub fn deflection(encounters: &[Encounter]) -> Result<String, FigureError> {
     let first = (encounters.first())
         .ok_or(FigureError::Empty { what: "no run" })?
@@ -90,7 +91,7 @@ pub fn deflection(encounters: &[Encounter]) -> Result<String, FigureError> {
     Ok(canvas.finish())
 }
 
-/// A curve for each method, beta and dz that were run.
+/// One curve for each method, beta and dz.
 fn curves(encounters: &[Encounter]) -> Vec<Curve> {
     let methods = methods(encounters.iter().map(|e| e.method));
     let betas = distinct(encounters.iter().map(|e| e.case.beta));
@@ -130,7 +131,7 @@ fn curves(encounters: &[Encounter]) -> Vec<Curve> {
     curves
 }
 
-/// What is drawn of an encounter; nothing if it failed.
+/// The point of an encounter; `None` if its run failed.
 fn dot(encounter: &Encounter) -> Option<Dot> {
     let row: EncounterRow = encounter.row();
     let degrees = [row.deflection1_deg, row.deflection2_deg];

@@ -1,4 +1,4 @@
-//! Every kind of picture with nothing in it, one point, or values that are no numbers.
+//! Every kind of picture without data, with one point, or with NaN.
 
 use scene::{Orientation, Pose, Run, RunOptions, Scene, Squirmer};
 
@@ -10,12 +10,12 @@ use compare::maps::{FateRow, TrustShares};
 use compare::scene_run::SampleRow;
 use compare::{Encounter, LoadErrorRow, NoRun, OffsetRow};
 
-/// Panels that say that they are empty.
+/// Number of panels that show "no data".
 fn empty_panels(svg: &str) -> usize {
     svg.matches(">no data<").count()
 }
 
-/// No coordinate or label is no number, and no line leads to the corner of the sheet, where such coordinates would lie.
+/// Checks that no coordinate or label is NaN, and that no line leads to the corner of the sheet, where NaN would lie.
 fn has_no_stray_number(svg: &str) {
     for wrong in ["NaN", "inf", ">0.000001<"] {
         assert!(!svg.contains(wrong), "{wrong}");
@@ -40,7 +40,7 @@ fn a_method_that_failed_leaves_a_panel_that_says_so() {
     let svg = trajectories(&all).unwrap();
     assert_eq!(empty_panels(&svg), 1);
     has_no_stray_number(&svg);
-    // Where all failed, too: the picture of an earlier command would be taken for one of these.
+    // There is a picture even if all runs failed; otherwise the picture of an earlier command would remain.
     let all = all.map(failed);
     for (svg, panels) in [(trajectories(&all), 2), (deflection(&all), 1)] {
         let svg = svg.unwrap();
@@ -65,7 +65,7 @@ fn deflections_of_none_but_bound_pairs_are_within_the_panel() {
         run.outcome = scene::Outcome::Undecided;
     }
     let svg = deflection(&[bound]).unwrap();
-    // The pair's, and those of the curve and of hollow marks in the legend.
+    // The marker of the pair, and those of the curve and of hollow marks in the legend.
     assert_eq!(svg.matches("<circle").count(), 3);
 }
 
@@ -187,7 +187,7 @@ fn load_error(gap: f64, error: f64) -> LoadErrorRow {
 fn an_error_that_is_not_known_is_not_drawn_as_a_small_one() {
     let svg = load_errors(&[load_error(0.01, f64::NAN), load_error(0.1, f64::NAN)]).unwrap();
     assert_eq!(empty_panels(&svg), 1);
-    // The line breaks there.
+    // The line is interrupted there.
     let gaps = [1e-3, 1e-2, 0.1, 1.0, 10.0];
     let errors = [1e-3, 1e-3, f64::NAN, 1e-3, 1e-3];
     let rows: Vec<_> = (gaps.into_iter().zip(errors))

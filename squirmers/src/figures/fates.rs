@@ -1,5 +1,5 @@
-//! Share of each kind of bound state against beta (the paper's Fig. 5a) or, if several are given,
-//! against bottom-heaviness (Fig. 8g): a panel for each method.
+//! Share of each outcome as a function of beta (the paper's Fig. 5a) or, with several bottom-heavinesses, share of
+//! orbits as a function of the bottom-heaviness (Fig. 8g). One panel for each method.
 
 use super::canvas::{Axes, Axis, Entry, Key, Layout};
 use super::range::{extremes, padded};
@@ -10,7 +10,7 @@ use compare::maps::{FateRow, Share};
 /// A line: its name and the points.
 type Line<'a> = (String, Vec<&'a FateRow>, Share);
 
-/// Draws the shares; with several bottom-heavinesses that of orbits, a line for each beta.
+/// Draws the share of each outcome; with several bottom-heavinesses, the share of orbits, with a line for each beta.
 ///
 /// # Errors
 /// [`FigureError`] if there are no rows.
@@ -24,7 +24,7 @@ pub fn fates(rows: &[FateRow]) -> Result<String, FigureError> {
     let methods = methods(rows.iter().filter_map(FateRow::method));
     let x = padded(rows.iter().map(abscissa), 0.04, 0.0);
     let orbits = extremes(rows.iter().map(|row| 100.0 * FateRow::orbits(row)));
-    // Orbits are rare as a rule.
+    // Orbits are usually rare, so their axis is shorter.
     let few = gravity && orbits.is_none_or(|(_, most)| most <= 50.0);
     let y = -2.0..if few { 50.0 } else { 102.0 };
     let layout = Layout::new((400.0, 320.0), methods.len(), 1);
@@ -91,7 +91,7 @@ fn lines<'a>(rows: &'a [FateRow], gravity: bool, shown: &[(&str, Share)]) -> Vec
         .collect()
 }
 
-/// Outcomes that always have a line, the first ones; the others have one where they occur.
+/// Outcomes that always have a line. Other outcomes have a line only if they occur.
 const ALWAYS: [&str; 5] = [
     "scattered",
     "pairwise",
@@ -111,11 +111,11 @@ fn shown(rows: &[FateRow]) -> Vec<(&'static str, Share)> {
 /// Place of the anticlockwise orbits among the lines.
 const ANTICLOCKWISE: usize = 2;
 
-/// Lines that differ in colour; further ones are broken.
+/// Number of lines with different colours; further lines are dashed.
 const COLOURS: usize = 7;
 
 fn stroke(index: usize) -> Stroke {
-    // Orbits of either sense are as frequent: the first shows beside the second.
+    // Orbits of both senses are equally frequent; different widths keep both lines visible.
     let width = if index == ANTICLOCKWISE { 6.0 } else { 2.0 };
     Stroke::new(colour(index), width, Dash::of(index / COLOURS))
 }

@@ -1,4 +1,4 @@
-//! Colours of numbers, told apart without colour vision too, and the bar that explains them.
+//! Colour scales, which can be read without colour vision too, and colour bars.
 
 use std::ops::Range;
 
@@ -9,10 +9,10 @@ use super::style::Colour;
 /// Room for a colour bar with its labels, right of a map.
 pub(super) const BAR_ROOM: f64 = 76.0;
 
-/// Where there is no number.
+/// Colour of a point without a number.
 const NONE: Colour = Colour(150, 150, 150);
 
-/// Blue for -1, white for 0, orange for 1; those beyond are drawn as these.
+/// Blue for -1, white for 0, orange for 1; numbers outside this range have the colour of its ends.
 pub(super) fn diverging(value: f64) -> Colour {
     const ENDS: [[f64; 3]; 5] = [
         [8.0, 48.0, 107.0],
@@ -50,8 +50,8 @@ fn between(ends: &[[f64; 3]; 5], share: f64) -> Colour {
     Colour(mix(0), mix(1), mix(2))
 }
 
-/// Draws a colour bar with its upper left corner at `corner`. Its `colour` is that of a value of the `range`; the
-/// `title` says what the values are, with their unit.
+/// Draws a colour bar with its upper left corner at `corner`. The function `colour` gives the colour of a value in
+/// `range`; the `title` names the values and their unit.
 pub(super) fn bar(
     canvas: &mut Canvas,
     corner: (f64, f64),
@@ -63,7 +63,7 @@ pub(super) fn bar(
     const WIDTH: f64 = 14.0;
     const STEPS: usize = 64;
     let value = |share: f64| range.start + share * (range.end - range.start);
-    // From below, each up to the top: no seam shows between two.
+    // Each rectangle reaches up to the top, so that no seams are visible between them.
     for i in 0..STEPS {
         let (low, middle) = (i as f64 / STEPS as f64, (i as f64 + 0.5) / STEPS as f64);
         canvas.rectangle(corner, (WIDTH, height * (1.0 - low)), colour(value(middle)));

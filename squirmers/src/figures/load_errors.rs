@@ -1,4 +1,4 @@
-//! Error of each load against the exact one, as a function of the gap: a panel for each load.
+//! Error of each load against the exact load as a function of the gap, with a panel for each load.
 
 use super::canvas::{Axes, Axis, Entry, Key, Layout};
 use super::range::{decades, extremes};
@@ -9,10 +9,10 @@ use compare::{LoadErrorRow, Method};
 /// Panels in a row: the loads of one mode.
 const COLUMNS: usize = 6;
 
-/// Errors are drawn between these powers of ten; smaller ones lie on the lower edge.
+/// Powers of ten between which errors are drawn. Smaller errors are drawn on the lower edge.
 const POWERS: (f64, f64) = (-7.0, 1.0);
 
-/// Draws the errors of the loads; methods are told apart by colour and dash.
+/// Draws the errors of the loads. Methods differ in colour and line style.
 ///
 /// # Errors
 /// [`FigureError`] if there are no rows.
@@ -29,7 +29,7 @@ pub fn load_errors(rows: &[LoadErrorRow]) -> Result<String, FigureError> {
     let methods = methods(rows.iter().filter_map(method_of));
     let gaps = || rows.iter().map(|row| row.gap.log10());
     let x = match extremes(gaps()) {
-        // Two whole powers of ten at least, so that the axis has a scale.
+        // The axis has at least two powers of ten, so that it has a scale.
         Some((low, high)) if high.floor() - low.ceil() >= 1.0 => low..high,
         _ => decades(gaps()),
     };
@@ -59,7 +59,7 @@ pub fn load_errors(rows: &[LoadErrorRow]) -> Result<String, FigureError> {
     Ok(canvas.finish())
 }
 
-/// Where an error lies, as logarithms; no number where it is not known.
+/// Coordinates of an error, as logarithms; NaN if the error is not known.
 fn place(row: &LoadErrorRow) -> (f64, f64) {
     let error = if row.error.is_nan() {
         f64::NAN
@@ -69,7 +69,7 @@ fn place(row: &LoadErrorRow) -> (f64, f64) {
     (row.gap.log10(), error)
 }
 
-/// Line and column of each load: a mode's six loads fill a line of their own.
+/// Row and column of the panel of each load. The six loads of a mode fill a row.
 fn places(names: &[&str]) -> Vec<(usize, usize)> {
     let mut places = Vec::with_capacity(names.len());
     let (mut line, mut column) = (0, 0);

@@ -9,14 +9,14 @@ use super::style::{Colour, Fill, Hatch};
 use super::{FigureError, number};
 use compare::maps::ScatterRow;
 
-/// About the side of a map, in nominal pixels.
+/// Approximate side of a map, in nominal pixels.
 const SIDE: f64 = 270.0;
 
-/// Interaction time, in `a/V_s`, from which on the colour stays the same.
+/// Interaction time at the end of the colour scale, in `a/V_s`.
 const LONGEST: f64 = 30.0;
 
-/// Fill of an outcome, its colour after Okabe and Ito; of a run that failed for none. Any two differ in their hatch, or in
-/// their lightness.
+/// Fill of an outcome, with a colour of Okabe and Ito; for `None` the fill of a failed run. Any two fills differ in
+/// their hatch or in their lightness.
 pub(super) const fn outcome_fill(outcome: Option<Outcome>) -> Fill {
     match outcome {
         Some(Outcome::Scattered) => Fill::new(Colour(240, 240, 240), Hatch::Plain),
@@ -34,10 +34,10 @@ pub(super) const fn outcome_fill(outcome: Option<Outcome>) -> Fill {
     }
 }
 
-/// Fill, in the panels of numbers, of pairs that did not scatter: the scales have no hatch.
+/// Fill of pairs without a number, in the panels of numbers. It is hatched, because the colour scales are not.
 const BOUND: Fill = Fill::new(Colour(150, 150, 150), Hatch::Rising);
 
-/// What the panels of numbers show.
+/// The quantities in the panels of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Quantity {
     Deflection,
@@ -45,18 +45,18 @@ enum Quantity {
 }
 
 impl Quantity {
-    /// Whether pairs of an outcome have it; none where it is not known how they ended.
+    /// Whether pairs with this outcome have the quantity; `None` if the outcome is not known.
     fn belongs_to(self, outcome: Option<Outcome>) -> Option<bool> {
         match outcome {
             Some(Outcome::Scattered) => Some(true),
-            // They have parted, or are side by side, but gravity has turned them.
+            // These pairs have parted or are side by side, but gravity has turned them.
             Some(Outcome::Upward) => Some(self == Self::Time),
             Some(Outcome::Undecided | Outcome::Unresolved) | None => None,
             Some(_) => Some(false),
         }
     }
 
-    /// Whether it is known of a pair.
+    /// Whether the quantity is known for a pair.
     fn is_known(self, row: &ScatterRow) -> bool {
         let finite = match self {
             Self::Deflection => row.deflection1_deg.is_finite() && row.deflection2_deg.is_finite(),
@@ -65,7 +65,7 @@ impl Quantity {
         finite && self.belongs_to(row.outcome()) == Some(true)
     }
 
-    /// The point of a pair in a panel, of the colour of its number if it has one.
+    /// The point of a pair in a panel, with the colour of its number if it has one.
     fn cell(self, row: &ScatterRow, colour: Colour) -> MapCell {
         let is_data = self.is_known(row);
         let fill = match self.belongs_to(row.outcome()) {
@@ -77,14 +77,14 @@ impl Quantity {
         MapCell { fill, is_data }
     }
 
-    /// Whether its panel has points of pairs that have none.
+    /// Whether the panel has points of pairs without the quantity.
     fn is_hatched(self, rows: &[ScatterRow]) -> bool {
         let lacks = |row: &ScatterRow| self.belongs_to(row.outcome()) == Some(false);
         rows.iter().any(|row| self.is_known(row)) && rows.iter().any(lacks)
     }
 }
 
-/// The outcomes that occur, each once, and what stands for them in the panels of numbers.
+/// The legend: each outcome that occurs, and the fill of pairs without a number.
 fn legend(rows: &[ScatterRow]) -> Vec<Vec<Entry>> {
     let occurs = |outcome: Option<Outcome>| rows.iter().any(|row| row.outcome() == outcome);
     let mut outcomes: Vec<Entry> = (Outcome::ALL.into_iter())
@@ -107,10 +107,10 @@ fn legend(rows: &[ScatterRow]) -> Vec<Vec<Entry>> {
     legend
 }
 
-/// Draws one map: the rows of a grid, each `Sigma` a line of `Delta`.
+/// Draws one map from the rows of a grid, with `Delta` varying fastest.
 ///
 /// # Errors
-/// [`FigureError`] if there are no rows, or they are no square grid.
+/// [`FigureError`] if there are no rows, or if they are not a square grid.
 pub fn scatter(rows: &[ScatterRow]) -> Result<String, FigureError> {
     let first = (rows.first()).ok_or(FigureError::Empty { what: "no map" })?;
     let method = first.method().map_or(first.method.as_str(), |m| m.title());
@@ -119,7 +119,7 @@ pub fn scatter(rows: &[ScatterRow]) -> Result<String, FigureError> {
         title += &format!(", G = {}", number(first.g));
     }
     let side = whole_side(SIDE, rows.len().isqrt());
-    // Two by two: four in a row are wider than a page.
+    // The panels are two by two, because four in a row are wider than a page.
     let layout = Layout {
         right: heat::BAR_ROOM,
         ..Layout::new((side, side), 2, 2)
@@ -246,7 +246,7 @@ mod tests {
         };
         assert_eq!(names(&[row("scattered", 1.0)]), ["scattered"]);
         assert_eq!(names(&[row("failed", f64::NAN)]), ["failed"]);
-        // No panel has a number, so that none has a hatch in its place.
+        // No panel has a number, so no panel has a hatch instead of one.
         let none = names(&[row("pairwise", 1.0), row("failed", f64::NAN)]);
         assert_eq!(none, ["pairwise", "failed"]);
         let both = names(&[row("pairwise", 1.0), row("scattered", 1.0)]);

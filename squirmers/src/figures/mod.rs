@@ -1,9 +1,9 @@
-//! Pictures as SVG: one file a figure, all on the same `canvas` and in the same `style`.
+//! Pictures as SVG. Each figure has a file here; all use the same `canvas` and `style`.
 //!
-//! A new figure is a function from rows to SVG text beside these, and a section of the page.
+//! A new figure is a function from rows to SVG text, and a section of the page.
 //!
-//! A panel in which nothing was drawn says "no data" by itself. A picture of nothing at all, without runs, kept paths or
-//! measurements, is [`FigureError::Empty`].
+//! A panel without data shows "no data". A picture without any runs, kept paths or measurements is
+//! [`FigureError::Empty`].
 
 mod canvas;
 mod deflection;
@@ -44,7 +44,7 @@ pub use trajectories::trajectories;
 pub use trust::{trust, trust_against_offset};
 pub use work_precision::{deflections_work_precision, loads_work_precision};
 
-/// Why there is no picture.
+/// The reason why there is no picture.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum FigureError {
     /// Nothing to draw.
@@ -53,18 +53,18 @@ pub enum FigureError {
         /// What is missing.
         what: &'static str,
     },
-    /// Two approaches in one picture.
+    /// The runs belong to two approaches.
     #[error("one picture shows one approach, not both {first} and {other}")]
     MixedApproaches {
         /// The approach of the first encounter.
         first: Approach,
-        /// Another one.
+        /// Another approach.
         other: Approach,
     },
     /// The pixels of a map could not be written.
     #[error("cannot encode the map: {reason}")]
     Encoding {
-        /// What the encoder said.
+        /// The encoder's message.
         reason: String,
     },
 }
@@ -85,7 +85,7 @@ fn distinct(values: impl IntoIterator<Item = f64>) -> Vec<f64> {
     values
 }
 
-/// Whether two numbers of a case are the same number.
+/// Whether two parameters are equal.
 fn same(a: f64, b: f64) -> bool {
     (a + 0.0).total_cmp(&(b + 0.0)).is_eq()
 }
@@ -98,10 +98,10 @@ fn methods(all: impl IntoIterator<Item = Method>) -> Vec<Method> {
     methods
 }
 
-/// `Head-on approach`, `Orthogonal approach`.
+/// Title of an approach in pictures.
 fn approach_title(approach: Approach) -> &'static str {
     match approach {
-        Approach::HeadOn => "Head-on approach",
-        Approach::Orthogonal => "Orthogonal approach",
+        Approach::HeadOn => "Opposed approach",
+        Approach::Orthogonal => "Approach at right angles",
     }
 }

@@ -1,8 +1,8 @@
-//! Numbers as a picture writes them: with a true minus sign, and with a power of ten if they are very large or very small.
+//! Numbers in pictures: with a true minus sign, and with a power of ten if they are very large or very small.
 
 use compare::numbers::written;
 
-/// A number to six decimals, or to six digits before a power of ten.
+/// A number with at most six decimals, or with at most six digits before a power of ten.
 pub(super) fn number(value: f64) -> String {
     if written(value).contains('e') {
         exact(format!("{value:.5e}").parse().unwrap_or(value))
@@ -30,7 +30,7 @@ pub(super) fn signed(text: &str) -> String {
     text.replace('-', "\u{2212}")
 }
 
-/// `10⁻³` for -3.
+/// A power of ten, such as `10⁻³` for -3.
 pub(super) fn raised(exponent: i32) -> String {
     let above = |c: char| {
         let digit = c.to_digit(10).map_or(10, |digit| digit as usize);

@@ -1,5 +1,5 @@
-//! Change of the outgoing orientation by an offset out of the plane (the paper's Fig. 5b): a panel
-//! for each method, a line for each case.
+//! Change of the outgoing orientation by an offset out of the plane (the paper's Fig. 5b), with a panel for each method
+//! and a line for each case.
 
 use super::canvas::{Axes, Axis, Entry, Key, Layout};
 use super::deflection::NOISE;
@@ -8,10 +8,10 @@ use super::style::{Dash, INK, Shape, Stroke, colour};
 use super::{FigureError, methods, number, same};
 use compare::{Approach, Method, OffsetRow};
 
-/// Angle in degrees up to which the changes of both squirmers are drawn as one.
+/// Largest difference in degrees of the changes of the two squirmers that are drawn as one.
 const SAME_CHANGE: f64 = 0.05;
 
-/// What tells one line from another.
+/// The parameters that identify a line.
 struct Line<'a> {
     case: &'a str,
     beta: f64,
@@ -33,7 +33,7 @@ impl Line<'_> {
     }
 }
 
-/// Draws the changes of the outgoing orientations, in degrees, against `dz`; NaN is left out.
+/// Draws the changes of the outgoing orientations, in degrees, as a function of `dz`. NaN is left out.
 ///
 /// # Errors
 /// [`FigureError`] if there are no rows.

@@ -1,5 +1,5 @@
-//! Trajectories of pairs (the paper's Figs 1c, 2c and 8a-f): a column for each panel, a row for
-//! each method; the spheres to scale at the start, arrows along the orientations.
+//! Trajectories of pairs (the paper's Figs 1c, 2c and 8a-f), with a column for each panel and a row for each method.
+//! Spheres are drawn to scale at the start; arrows show the orientations.
 
 use std::ops::Range;
 
@@ -12,25 +12,25 @@ use compare::bottom_heavy::PanelRun;
 /// Time between the orientations that are drawn, in `a/V_s`.
 pub const ARROW_INTERVAL: f64 = 4.0;
 
-/// Colour of the orientations: both lines are seen beside it.
+/// Colour of the orientations, which differs from both lines.
 const ARROW: Colour = Colour(96, 96, 96);
 
-/// Nominal length of an orientation's arrow.
+/// Length of the arrow of an orientation, in nominal pixels.
 const ARROW_LENGTH: f64 = 17.0;
 
-/// Room about the trajectories, in radii: spheres and arrows stay within.
+/// Room around the trajectories, in radii, for spheres and arrows.
 const ROOM: f64 = 1.6;
 
-/// Size of a plot.
+/// Size of a plot, in nominal pixels.
 const PLOT: (f64, f64) = (170.0, 340.0);
 
-/// Room left of all for the methods' names.
+/// Room on the left for the names of the methods.
 const NAMES: f64 = 26.0;
 
-/// A point of a path and the orientation there.
+/// A point of a path and the orientation at this point.
 type Pose = ((f64, f64), (f64, f64));
 
-/// The path of one squirmer, as far as the panel shows it.
+/// The part of a squirmer's path that the panel shows.
 fn path(run: &PanelRun, k: usize) -> Vec<(f64, Pose)> {
     (run.shown())
         .map(|s| {
@@ -43,11 +43,11 @@ fn path(run: &PanelRun, k: usize) -> Vec<(f64, Pose)> {
         .collect()
 }
 
-/// Draws the panels, in the x-y plane and in radii, each in a window of its own: pairs that stay together
-/// by one method part by another.
+/// Draws the panels in the x-y plane, in radii. Each has a window of its own, because a pair can stay together by one
+/// method and part by another.
 ///
 /// # Errors
-/// [`FigureError`] if there is no run.
+/// [`FigureError`] if there are no runs.
 pub fn panels(runs: &[PanelRun], title: &str) -> Result<String, FigureError> {
     let methods = methods(runs.iter().map(|run| run.method));
     let mut panels: Vec<&PanelRun> = Vec::new();
@@ -130,7 +130,7 @@ fn draw(panel: &mut Panel<'_>, run: &PanelRun) {
     for path in &paths {
         let mut next = ARROW_INTERVAL;
         for (t, (at, heading)) in path {
-            // Samples lie on multiples of an interval that divides this one.
+            // Samples lie at multiples of an interval that divides this interval.
             if *t >= next - 1e-9 {
                 panel.arrow(*at, *heading, ARROW_LENGTH, ARROW);
                 next += ARROW_INTERVAL;
@@ -139,7 +139,7 @@ fn draw(panel: &mut Panel<'_>, run: &PanelRun) {
     }
 }
 
-/// What the trajectories need, widened to the shape of the plot; about the origin without any.
+/// The window of the trajectories, widened to the shape of the plot; around the origin without trajectories.
 fn window(run: Option<&PanelRun>) -> (Range<f64>, Range<f64>) {
     let poses = run.iter().flat_map(|run| [0, 1].map(|k| path(run, k)));
     let centres: Vec<(f64, f64)> = poses.flatten().map(|(_, (at, _))| at).collect();

@@ -1,20 +1,20 @@
-//! Ranges of axes: about values that may be equal, huge, tiny or no numbers at all.
+//! Ranges of axes, for any values: equal, huge, tiny or not finite.
 
 use std::ops::Range;
 
-/// Largest size of a number on an axis: the extent of a range must be a number too.
+/// Largest size of a number on an axis, so that the extent of a range is finite.
 const LARGEST: f64 = 1e300;
 
-/// Sizes below are drawn as zero: their fractions are no numbers of full precision.
+/// Smaller sizes are drawn as zero, because their fractions do not have full precision.
 const SMALLEST: f64 = 1e-290;
 
-/// Least extent of a range as a share of the numbers in it: ticks need digits to differ.
+/// Smallest extent of a range as a share of the numbers in it, so that the labels of ticks differ.
 const NARROWEST: f64 = 1e-9;
 
-/// Half the extent of an axis about a single value of size one or more, and about zero.
+/// Half the extent of an axis around a single value of size one or more, and around zero.
 const ABOUT: f64 = 0.5;
 
-/// The least and the largest of the finite values.
+/// The smallest and the largest of the finite values.
 pub(super) fn extremes(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
     let finite = values.into_iter().filter(|v| v.is_finite());
     finite.fold(None, |bounds, v| {
@@ -24,8 +24,8 @@ pub(super) fn extremes(values: impl IntoIterator<Item = f64>) -> Option<(f64, f6
     })
 }
 
-/// The range of the values with a margin of `share` of it, and some extent in any case. Values that differ by no more
-/// than `least` are drawn as equal.
+/// The range of the values with a margin of `share` of the range. The extent is never zero. Values that differ by at
+/// most `least` are drawn as equal.
 pub(super) fn padded(values: impl IntoIterator<Item = f64>, share: f64, least: f64) -> Range<f64> {
     let Some((low, high)) = extremes(values) else {
         return 0.0..1.0;
@@ -39,7 +39,7 @@ pub(super) fn padded(values: impl IntoIterator<Item = f64>, share: f64, least: f
     low - margin..high + margin
 }
 
-/// Room on either side of a single value of a size.
+/// Room on both sides of a single value of this size.
 fn about(size: f64, least: f64) -> f64 {
     if size <= least.max(SMALLEST) {
         return ABOUT;
@@ -47,19 +47,19 @@ fn about(size: f64, least: f64) -> f64 {
     (ABOUT * size).min(ABOUT).max(1e-3 * size)
 }
 
-/// Whole powers of ten about logarithms to the base ten, at least one decade.
+/// A range of whole powers of ten around logarithms to the base ten; at least one decade.
 pub(super) fn decades(logs: impl IntoIterator<Item = f64>) -> Range<f64> {
     let (low, high) = extremes(logs).unwrap_or((0.0, 0.0));
     let (low, high) = ((low - 0.1).floor(), (high + 0.1).ceil());
     low..high.max(low + 1.0)
 }
 
-/// The same range where an axis can be drawn along it, one about it otherwise.
+/// Returns the range if an axis can show it, otherwise a wider range around it.
 pub(super) fn sound(range: &Range<f64>) -> Range<f64> {
     padded([range.start, range.end], 0.0, SMALLEST)
 }
 
-/// A range of at least the extent `least`, about the same middle.
+/// A range with at least the extent `least` and the same middle.
 pub(super) fn widened(range: &Range<f64>, least: f64) -> Range<f64> {
     let middle = 0.5 * (range.start + range.end);
     let half = 0.5 * (range.end - range.start).max(least);

@@ -1,5 +1,5 @@
-//! One scene: paths in the plane, and also seen from the side where the motion is spatial; gap and
-//! orientations against time.
+//! The run of one scene: paths in the plane, and for spatial motion also seen from the side; gap and orientations as
+//! functions of time.
 
 use std::ops::Range;
 
@@ -11,26 +11,26 @@ use super::style::{Dash, Stroke, colour};
 use super::{FigureError, number};
 use compare::scene_run::SampleRow;
 
-/// Width of a panel, and height of those against time.
+/// Width of a panel, and height of the panels over time.
 const PLOT: (f64, f64) = (400.0, 250.0);
 
-/// Tallest panel of paths, and the least extent of one; scales along both axes are equal.
+/// Largest height and smallest side of a panel of paths. Scales along both axes are equal.
 const TALLEST: f64 = 560.0;
 const LEAST: f64 = 170.0;
 
-/// Room about the paths, in radii.
+/// Room around the paths, in radii.
 const ROOM: f64 = 1.5;
 
-/// Smallest gap that is drawn: what is closer is in contact.
+/// Smallest gap that is drawn. Pairs at smaller gaps are in contact.
 const LEAST_GAP: f64 = 1e-300;
 
-/// Least extent of the axis of angles.
+/// Smallest extent of the axis of angles, in degrees.
 const LEAST_DEGREES: f64 = 10.0;
 
-/// Most points of a line: more than there are pixels.
+/// Largest number of points of a line, which is more than the number of pixels.
 const POINTS: usize = 4000;
 
-/// Draws the rows of a run of `scene`; `spatial` adds the view along y.
+/// Draws the rows of a run of `scene`. `spatial` adds the view along y.
 ///
 /// # Errors
 /// [`FigureError`] if there are no rows.
@@ -62,7 +62,7 @@ pub fn scene_run(scene: &Scene, rows: &[SampleRow], spatial: bool) -> Result<Str
             x: Axis::new(x, view.x_title, 7),
             y: Axis::new(y, view.y_title, 7),
         };
-        // A single view stands in the middle.
+        // A single view is centred.
         let size = sizes[column];
         let middle = width * (column as f64 + 0.5) / views.len() as f64;
         let left = middle + 0.5 * (LEFT - RIGHT - size.0);
@@ -104,7 +104,7 @@ pub fn scene_run(scene: &Scene, rows: &[SampleRow], spatial: bool) -> Result<Str
     Ok(canvas.finish())
 }
 
-/// From where a pair is looked at.
+/// A direction of view.
 struct View {
     title: &'static str,
     x_title: &'static str,
@@ -157,7 +157,7 @@ fn label(scene: &Scene, k: usize) -> String {
     format!("squirmer {}: {modes}", k + 1)
 }
 
-/// Power of ten of a gap; no number for one that is none.
+/// Logarithm of a gap to the base ten; NaN for NaN.
 fn decade(gap: f64) -> f64 {
     if gap.is_nan() {
         f64::NAN
@@ -166,7 +166,7 @@ fn decade(gap: f64) -> f64 {
     }
 }
 
-/// What a view takes in, at the same scale along both axes.
+/// The window of a view, with the same scale along both axes.
 fn window(rows: &[SampleRow], view: &View) -> (Range<f64>, Range<f64>) {
     let centres = || {
         rows.iter()
@@ -178,7 +178,7 @@ fn window(rows: &[SampleRow], view: &View) -> (Range<f64>, Range<f64>) {
     };
     let x = about(extremes(centres().map(|at| at.0)));
     let y = about(extremes(centres().map(|at| at.1)));
-    // Neither too narrow nor too flat when scaled to fit.
+    // The window must be neither too narrow nor too flat after scaling.
     let scale = (PLOT.0 / (x.end - x.start)).min(TALLEST / (y.end - y.start));
     (widened(&x, LEAST / scale), widened(&y, LEAST / scale))
 }

@@ -1,4 +1,4 @@
-//! Colours, line styles and markers that tell series apart, with and without colour vision.
+//! Colours, line styles and markers. They distinguish series with and without colour vision.
 
 use maud::{Markup, PreEscaped, Render};
 
@@ -17,10 +17,10 @@ pub(super) const WHITE: Colour = Colour(255, 255, 255);
 /// Text, frames and axes.
 pub(super) const INK: Colour = Colour(34, 34, 34);
 
-/// Mesh lines.
+/// Grid lines.
 pub(super) const MESH: Colour = Colour(226, 226, 226);
 
-/// Okabe & Ito (2008), the colours that are dark enough on white first.
+/// Colours of Okabe & Ito (2008). Colours that are dark enough on white come first.
 const COLOURS: [Colour; 7] = [
     Colour(0, 114, 178),
     Colour(213, 94, 0),
@@ -36,7 +36,7 @@ pub(super) fn colour(index: usize) -> Colour {
     COLOURS[index % COLOURS.len()]
 }
 
-/// Lines over a fill, which tell it from others without colour vision and in print.
+/// Lines over a fill, which distinguish it from others without colour vision and in print.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Hatch {
     Plain,
@@ -45,14 +45,14 @@ pub(super) enum Hatch {
     Crossed,
 }
 
-/// How an area is filled.
+/// The fill of an area.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Fill {
     pub colour: Colour,
     pub hatch: Hatch,
 }
 
-/// Lightness of a fill from which on its hatch is dark.
+/// Smallest lightness of a fill with a dark hatch.
 const LIGHT: f64 = 50.0;
 
 impl Fill {
@@ -80,7 +80,7 @@ impl Fill {
     }
 }
 
-/// Lightness of a colour from 0 to 100 (CIE L* of sRGB): what is left of it in grey print.
+/// Lightness of a colour from 0 to 100 (CIE L* of sRGB), as it appears in grey print.
 pub(super) fn lightness(Colour(red, green, blue): Colour) -> f64 {
     let linear = |level: u8| {
         let v = f64::from(level) / 255.0;
@@ -98,7 +98,7 @@ pub(super) fn lightness(Colour(red, green, blue): Colour) -> f64 {
     }
 }
 
-/// How a line is broken.
+/// Dash pattern of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Dash {
     Solid,
@@ -122,7 +122,7 @@ impl Dash {
     }
 }
 
-/// How a line is drawn.
+/// Style of a line.
 #[derive(Clone, Copy)]
 pub(super) struct Stroke {
     pub colour: Colour,
@@ -155,8 +155,8 @@ impl Shape {
         [Self::Circle, Self::Square, Self::Triangle, Self::Diamond][index % 4]
     }
 
-    /// Corners about a place, in pixels; none for a circle. The sizes differ, so that of markers at the same place all are
-    /// seen.
+    /// Corners around a place, in pixels; none for a circle. Sizes differ, so that markers at the same place are all
+    /// visible.
     pub(super) fn corners(self) -> &'static [(f64, f64)] {
         match self {
             Self::Circle => &[],

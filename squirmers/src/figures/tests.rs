@@ -1,4 +1,4 @@
-//! Pictures of real lubrication runs and of made-up rows.
+//! Pictures of real lubrication runs and of invented rows.
 
 use scene::RunOptions;
 

@@ -1,5 +1,5 @@
-//! Trajectories of encounters (the paper's Figs 6a, b and 7): one panel a method, or methods in
-//! rows and values of beta in columns; one colour an offset; the spheres to scale at closest approach.
+//! Trajectories of encounters (the paper's Figs 6a, b and 7). There is one panel for each method, or methods are rows
+//! and values of beta are columns. Each offset has a colour. Spheres are drawn to scale at closest approach.
 
 use std::ops::Range;
 
@@ -14,25 +14,25 @@ use compare::{Encounter, Method};
 /// Time between the dots on a trajectory, in `a/V_s`.
 pub const TICK_INTERVAL: f64 = 2.0;
 
-/// Room about the centres at closest approach that the window takes in, in radii.
+/// Room in the window around the centres at closest approach, in radii.
 const ROOM: f64 = 5.0;
 
-/// Largest gap at which the spheres are drawn, in radii: beyond it nothing happens.
+/// Largest gap at which the spheres are drawn, in radii. At larger gaps the squirmers hardly interact.
 const DRAWN_GAP: f64 = 1.0;
 
-/// Least ratio of a window's sides: of paths far apart a strip would be left.
+/// Smallest ratio of a window's sides; without it, paths far apart would give a narrow strip.
 const NARROWEST: f64 = 0.25;
 
-/// Window of a picture of which all runs have failed, in radii.
+/// Window of a picture if all runs failed, in radii.
 const NOWHERE: (Range<f64>, Range<f64>) = (-6.0..6.0, -6.0..6.0);
 
 /// Distance between drawn points of a trajectory, in radii.
 const SPACING: f64 = 0.04;
 
-/// Time by which a straight flight is drawn on, in `a/V_s`: past any window.
+/// Time of the straight flight that is added to a path, in `a/V_s`. It ends outside any window.
 const FLIGHT: f64 = 60.0;
 
-/// A pair on its way, seen along z.
+/// A pair at some time, seen along z.
 #[derive(Clone, Copy)]
 struct Point {
     t: f64,
@@ -41,7 +41,7 @@ struct Point {
     headings: [(f64, f64); 2],
 }
 
-/// What is drawn of a run.
+/// The part of a run that is drawn.
 struct Track {
     points: Vec<Point>,
     nearest: Point,
@@ -57,7 +57,7 @@ impl Point {
         }
     }
 
-    /// After a straight flight of both.
+    /// The pair after both have flown straight for a time.
     fn flown(&self, time: f64) -> Self {
         let centres = [0, 1].map(|k| {
             let [c, p] = [self.centres[k], self.headings[k]];
@@ -76,7 +76,7 @@ impl Track {
         let samples = run.samples.iter();
         let mut points: Vec<Point> = samples.map(|s| Point::new(s.t, &s.configuration)).collect();
         let least = points.iter().map(|p| p.gap).fold(f64::INFINITY, f64::min);
-        // A bound pair comes ever closer: show where it has come close, not where it ended.
+        // A bound pair slowly comes closer until the end; the picture shows where it first came close.
         let close = if scattered { least } else { 1.05 * least };
         let nearest = *points.iter().find(|p| p.gap <= close)?;
         let last = *points.last()?;
@@ -86,7 +86,7 @@ impl Track {
         Some(Self { points, nearest })
     }
 
-    /// The line of the squirmer number `k`, thinned out where points crowd.
+    /// The line of squirmer `k`, with fewer points where they are dense.
     fn line(&self, k: usize) -> Vec<(f64, f64)> {
         let mut line: Vec<(f64, f64)> = Vec::new();
         for (number, point) in self.points.iter().enumerate() {
@@ -100,7 +100,7 @@ impl Track {
         line
     }
 
-    /// Where the squirmer number `k` is at multiples of [`TICK_INTERVAL`].
+    /// Positions of squirmer `k` at multiples of [`TICK_INTERVAL`].
     fn ticks(&self, k: usize) -> Vec<(f64, f64)> {
         let mut ticks = Vec::new();
         for ends in self.points.windows(2) {
@@ -115,19 +115,19 @@ impl Track {
     }
 }
 
-/// Whether a method's pairs fly straight on once they have parted. Under full hydrodynamics they
-/// do not quite, and a run is drawn to its end only.
+/// Whether pairs that have parted fly exactly straight by this method. By full hydrodynamics they do not, and a run is
+/// drawn only to its end.
 fn flies_on(method: Method) -> bool {
     matches!(method, Method::Lt | Method::LtCorrected)
 }
 
-/// Draws the trajectories of encounters of one approach, in the x-y plane and in radii.
+/// Draws the trajectories of encounters of one approach in the x-y plane, in radii.
 ///
-/// With one beta the methods stand side by side (Fig. 6), with several they are the rows and the
-/// betas the columns (Fig. 7). All panels show the same window at the same scale along x and y.
+/// With one beta the methods are side by side (Fig. 6). With several values, methods are rows and values of beta are
+/// columns (Fig. 7). All panels show the same window, with the same scale along x and y.
 ///
 /// # Errors
-/// [`FigureError`] if there is no run, none that has not failed has samples, or there is more than one approach.
+/// [`FigureError`] if there are no runs, if no successful run has samples, or if there is more than one approach.
 pub fn trajectories(encounters: &[Encounter]) -> Result<String, FigureError> {
     const EMPTY: FigureError = FigureError::Empty {
         what: "no run with samples",
@@ -231,7 +231,7 @@ fn legend(offsets: &[f64], heights: &[f64]) -> Vec<Vec<Entry>> {
     vec![entries, signs]
 }
 
-/// Starts and closest approaches of all, with room about the latter; the same for all panels.
+/// The window of all panels: all starts and closest approaches, with room around the closest approaches.
 fn window(tracks: &[(&Encounter, Track)]) -> Option<(Range<f64>, Range<f64>)> {
     let mut bounds = [(f64::INFINITY, f64::NEG_INFINITY); 2];
     let mut take = |at: (f64, f64), room: f64| {
@@ -242,7 +242,7 @@ fn window(tracks: &[(&Encounter, Track)]) -> Option<(Range<f64>, Range<f64>)> {
     for (_, track) in tracks {
         for k in [0, 1] {
             take(track.points.first()?.centres[k], 1.0);
-            // Paths that hardly bend need no room beside them.
+            // Paths that are nearly straight need no room beside them.
             let room = if track.nearest.gap <= DRAWN_GAP {
                 ROOM
             } else {

@@ -9,10 +9,10 @@ use super::{FigureError, distinct, number, same};
 use compare::Method;
 use compare::maps::{TRUST_CLASSES, TrustRow, TrustShares};
 
-/// About the side of the map, in nominal pixels.
+/// Approximate side of the map, in nominal pixels.
 const SIDE: f64 = 420.0;
 
-/// Fills of the classes: darker is worse, and what has no difference of deflections is hatched.
+/// Fills of the classes. Larger differences are darker; classes without a difference of deflections are hatched.
 const FILLS: [Fill; 7] = [
     Fill::new(Colour(239, 243, 255), Hatch::Plain),
     Fill::new(Colour(158, 202, 225), Hatch::Plain),
@@ -23,7 +23,7 @@ const FILLS: [Fill; 7] = [
     outcome_fill(None),
 ];
 
-/// What a point shows: a class, or that neither model came to a result in time.
+/// The fill and name of a point: those of its class, or of pairs that both models leave undecided.
 fn entry(row: &TrustRow) -> (Fill, &'static str) {
     let undecided = Outcome::Undecided.to_string();
     if row.outcome_lt == undecided && row.outcome_exact == undecided {
@@ -34,10 +34,10 @@ fn entry(row: &TrustRow) -> (Fill, &'static str) {
     }
 }
 
-/// Draws one map: the rows of a grid, each `Sigma` a line of `Delta`.
+/// Draws one map from the rows of a grid, with `Delta` varying fastest.
 ///
 /// # Errors
-/// [`FigureError`] if there are no rows, or they are no square grid.
+/// [`FigureError`] if there are no rows, or if they are not a square grid.
 pub fn trust(rows: &[TrustRow]) -> Result<String, FigureError> {
     let first = (rows.first()).ok_or(FigureError::Empty { what: "no map" })?;
     let method = title_of(&first.method);
@@ -54,7 +54,7 @@ pub fn trust(rows: &[TrustRow]) -> Result<String, FigureError> {
     let undecided = outcome_fill(Some(Outcome::Undecided));
     occurring.extend(entries.iter().find(|(fill, _)| *fill == undecided));
     occurring.retain(|known| entries.contains(known));
-    // Room right of the map, for the longest entry of the legend.
+    // This is the room right of the map for the longest entry of the legend.
     let layout = Layout {
         right: 4.0 * RIGHT,
         ..Layout::new((side, side), 1, 1)
@@ -69,20 +69,20 @@ pub fn trust(rows: &[TrustRow]) -> Result<String, FigureError> {
     Ok(canvas.finish())
 }
 
-/// Least width of a panel of shares, and its height.
+/// Smallest width of a panel of shares, and its height.
 const PLOT: (f64, f64) = (200.0, 240.0);
 
-/// Least width of a picture of shares: its title and legend need it.
+/// Smallest width of a picture of shares, for its title and legend.
 const LEAST_WIDTH: f64 = 560.0;
 
-/// Share of a bar's place that it fills.
+/// Width of a bar as a share of the distance between bars.
 const FILLED: f64 = 0.8;
 
-/// Draws the shares of the classes against the offset out of the plane, a panel for each beta: rows of
-/// one method and one bottom-heaviness.
+/// Draws the shares of the classes as a function of the offset out of the plane, with a panel for each beta. The rows
+/// must have one method and one bottom-heaviness.
 ///
 /// # Errors
-/// [`FigureError::Empty`] if there is but one offset.
+/// [`FigureError::Empty`] if there is only one offset.
 pub fn trust_against_offset(rows: &[TrustShares]) -> Result<String, FigureError> {
     let offsets = distinct(rows.iter().map(|row| row.dz));
     let step = (offsets.windows(2).map(|ends| ends[1] - ends[0])).fold(f64::INFINITY, f64::min);

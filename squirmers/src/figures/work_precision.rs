@@ -1,4 +1,4 @@
-//! Work-precision diagrams: error against time, both in powers of ten, after SciMLBenchmarks.
+//! Work-precision diagrams as in SciMLBenchmarks: error as a function of time, on logarithmic axes.
 
 use std::ops::Range;
 
@@ -9,13 +9,13 @@ use super::{FigureError, approach_title};
 use compare::Approach;
 use compare::cost::{CostRow, Part};
 
-/// Size of a plot.
+/// Size of a plot, in nominal pixels.
 const PLOT: (f64, f64) = (400.0, 340.0);
 
-/// Panels side by side.
+/// Number of panels side by side.
 const COLUMNS: usize = 2;
 
-/// Errors below are drawn here: rounding.
+/// Smaller errors are drawn at this error, because they are only rounding.
 const SMALLEST_ERROR: f64 = 1e-15;
 
 /// A point, as logarithms to the base ten of seconds and error.
@@ -24,9 +24,9 @@ type Place = (f64, f64);
 /// The measurements of one model in one panel.
 struct Curve {
     model: String,
-    /// Joined, in the order of the knob.
+    /// Points that are joined by a line, in the order of the varied quantity.
     line: Vec<Place>,
-    /// Not joined: the single cases behind the line.
+    /// Points that are not joined: the single cases that the line summarises.
     dots: Vec<Place>,
 }
 
@@ -36,14 +36,15 @@ struct Plot {
     curves: Vec<Curve>,
 }
 
-/// What the two diagrams differ in.
+/// The texts of a diagram.
 struct Words {
     title: &'static str,
     x_title: &'static str,
     y_title: &'static str,
 }
 
-/// Error of the loads against the time of one evaluation: a panel for each gap, all on the same axes.
+/// Draws the error of the loads as a function of the time of one evaluation, with a panel for each gap. All panels have
+/// the same axes.
 ///
 /// # Errors
 /// [`FigureError`] if there are no rows of loads with an error.
@@ -74,8 +75,8 @@ pub fn loads_work_precision(rows: &[CostRow]) -> Result<String, FigureError> {
     draw(&plots, &words)
 }
 
-/// Error of the outgoing angles against the time of a trajectory: a panel for each approach, a dot
-/// for each case, a line through the worst error and the median time at each tolerance.
+/// Draws the error of the outgoing angles as a function of the time of a trajectory, with a panel for each approach and
+/// a dot for each case. A line joins the points of largest error and median time at each tolerance.
 ///
 /// # Errors
 /// [`FigureError`] if there are no rows of deflections with an error.
@@ -115,7 +116,7 @@ pub fn deflections_work_precision(rows: &[CostRow]) -> Result<String, FigureErro
     draw(&plots, &words)
 }
 
-/// The distinct texts in the order in which they come.
+/// The distinct texts, in the order of their first occurrence.
 fn labels<'a>(all: impl Iterator<Item = &'a String>) -> Vec<&'a str> {
     let mut labels: Vec<&str> = Vec::new();
     for label in all {
@@ -126,7 +127,7 @@ fn labels<'a>(all: impl Iterator<Item = &'a String>) -> Vec<&'a str> {
     labels
 }
 
-/// Where a measurement lies; nowhere if it failed.
+/// The point of a measurement; `None` if it failed.
 fn place(row: &CostRow) -> Option<Place> {
     let place = (row.seconds.log10(), row.error.max(SMALLEST_ERROR).log10());
     (row.error.is_finite() && place.0.is_finite()).then_some(place)
@@ -169,7 +170,8 @@ fn draw(plots: &[Plot], words: &Words) -> Result<String, FigureError> {
                 panel.line(&curve.line, stroke(index(curve)));
             }
             for curve in &plot.curves {
-                // Open where others may lie behind: models without a knob, and worst cases over dots.
+                // Markers are open if they may cover other points: those of models without a varied
+                // quantity, and those of largest errors.
                 let filled = curve.dots.is_empty() && curve.line.len() > 1;
                 let index = index(curve);
                 for &at in &curve.line {

@@ -1,4 +1,4 @@
-//! What a method cost and how far it can be trusted.
+//! The table of costs and errors of each method.
 
 use super::Table;
 use super::table::Cell;
@@ -14,16 +14,16 @@ pub struct MethodCost {
     pub gaps_evaluated: usize,
     /// Estimated error of interpolation in the table; NaN without a table.
     pub interpolation_error: f64,
-    /// What limits the table: the requested tolerance or the model's own noise.
+    /// What limits the accuracy of the table: the requested tolerance or the model's own noise.
     pub limit: String,
-    /// Gaps near contact, in radii, and the model's own relative error there.
+    /// Gaps near contact, in radii, and the model's own estimate of its relative error there.
     pub error_at_contact: Vec<(f64, f64)>,
     /// Wall-clock time of a run, in seconds.
     pub seconds_per_run: f64,
 }
 
 impl MethodCost {
-    /// The table of several methods, with a column for each gap near contact.
+    /// The table of all methods, with a column for each gap near contact.
     #[must_use]
     pub fn table(costs: &[Self]) -> Table {
         let mut gaps: Vec<f64> = (costs.iter())

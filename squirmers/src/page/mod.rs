@@ -1,6 +1,6 @@
 //! The web page: sections of prose, pictures and tables in one self-contained HTML file.
 //!
-//! A new figure is a new [`Section`] in [`Page::sections`]; the template knows of none in particular.
+//! A new figure is a new [`Section`] in [`Page::sections`]. The template is the same for all sections.
 
 mod cost;
 mod table;
@@ -18,26 +18,26 @@ pub use template::render;
 pub struct Page {
     /// Title.
     pub title: String,
-    /// Paragraphs under the title: what this is, and the question.
+    /// Paragraphs under the title, which state the question.
     pub lead: Vec<String>,
     /// Sections in order.
     pub sections: Vec<Section>,
-    /// What each method cost; no such section if empty.
+    /// Cost of each method. If empty, the page has no such section.
     pub costs: Vec<MethodCost>,
-    /// Failures and other notes; no such section if empty.
+    /// Failures and other notes. If empty, the page has no such section.
     pub notes: Vec<String>,
-    /// Where the page comes from.
+    /// Provenance of the page.
     pub provenance: Provenance,
 }
 
-/// A heading and what is under it.
+/// A section of the page.
 #[derive(Clone, Debug, Default)]
 pub struct Section {
     /// Anchor within the page: letters, digits and hyphens.
     pub id: String,
     /// Heading.
     pub title: String,
-    /// What it found, in a sentence or two, for the first screen of the page; empty if nothing.
+    /// The finding in one or two sentences, for the first screen of the page; empty if there is none.
     pub finding: String,
     /// Paragraphs.
     pub prose: Vec<String>,
@@ -47,7 +47,7 @@ pub struct Section {
     pub tables: Vec<Table>,
 }
 
-/// A picture and what it shows.
+/// A picture and its caption.
 #[derive(Clone, Debug, Default)]
 pub struct Figure {
     /// SVG text.
@@ -56,12 +56,12 @@ pub struct Figure {
     pub caption: String,
 }
 
-/// What made a page, in words.
+/// Provenance of a page, in words.
 #[derive(Clone, Debug, Default)]
 pub struct Provenance {
     /// The exact command.
     pub command: String,
-    /// Version of the program, with the commit if known.
+    /// Version of the program.
     pub version: String,
     /// CPU model, cores and operating system.
     pub machine: String,

@@ -1,4 +1,4 @@
-//! Tables of the page: the CSV text as it is downloaded, and its numbers rounded for reading.
+//! Tables of the page: rounded numbers to read, and the full CSV text to download.
 
 use std::borrow::Cow;
 
@@ -9,9 +9,9 @@ use serde::Serialize;
 pub struct Table {
     /// Caption.
     pub caption: String,
-    /// Name under which the CSV is saved.
+    /// File name of the CSV.
     pub file_name: String,
-    /// The CSV, unrounded.
+    /// The CSV text, with numbers that are not rounded.
     pub csv: String,
     /// Names of the columns.
     pub headers: Vec<String>,
@@ -19,7 +19,7 @@ pub struct Table {
     pub records: Vec<Vec<String>>,
 }
 
-/// A field of a table whose columns are not those of a type.
+/// A field of a table whose columns are not the fields of a type.
 pub(super) enum Cell {
     Text(String),
     Number(f64),
@@ -27,10 +27,10 @@ pub(super) enum Cell {
 }
 
 impl Table {
-    /// The table of `rows`, its columns named by their fields.
+    /// The table of `rows`. Its columns have the names of the fields.
     ///
     /// # Errors
-    /// [`csv::Error`] if the rows are not flat.
+    /// [`csv::Error`] if a row has nested fields.
     pub fn from_rows<T: Serialize>(
         caption: &str,
         file_name: &str,
@@ -99,7 +99,7 @@ impl Table {
     }
 }
 
-/// A field as CSV wants it.
+/// A field with the quotation marks that CSV needs.
 fn quoted(field: &str) -> Cow<'_, str> {
     if field.contains([',', '"', '\n', '\r']) {
         Cow::Owned(format!("\"{}\"", field.replace('"', "\"\"")))
@@ -108,8 +108,8 @@ fn quoted(field: &str) -> Cow<'_, str> {
     }
 }
 
-/// A field as it is read on the page: angles with 4 decimals, other numbers with 5 significant
-/// digits, times and errors with 3, NaN as a dash.
+/// A field as the page shows it: angles with 4 decimals, times and errors with 3 significant digits, other numbers
+/// with 5, NaN as a dash.
 pub(super) fn displayed(header: &str, field: &str) -> String {
     if field.parse::<i64>().is_ok() {
         return field.replace('-', "\u{2212}");
@@ -134,13 +134,13 @@ pub(super) fn displayed(header: &str, field: &str) -> String {
     text.replace('-', "\u{2212}")
 }
 
-/// Rounded to decimals, without a negative zero.
+/// A number rounded to `decimals`, without a negative zero.
 pub(crate) fn rounded(value: f64, decimals: i32) -> f64 {
     let unit = 10.0_f64.powi(decimals);
     (value * unit).round() / unit + 0.0
 }
 
-/// With so many significant digits and no trailing zeros; very small and large ones with an exponent.
+/// A number with `digits` significant digits and no trailing zeros; very small and large numbers with an exponent.
 fn significant(value: f64, digits: usize) -> String {
     if value.abs() < f64::MIN_POSITIVE {
         return "0".to_owned();

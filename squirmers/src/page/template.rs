@@ -1,4 +1,4 @@
-//! The page's template.
+//! The template of the page.
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -9,16 +9,16 @@ use super::{Figure, MethodCost, Page, Provenance, Section, Table};
 
 const STYLE: &str = include_str!("page.css");
 
-/// Width in pixels down to which a picture shrinks before it scrolls: its share, and no less.
+/// Smallest width of a picture on a narrow screen, as a share of its own width. Below it the picture scrolls.
 const SMALLEST_SHARE: f64 = 0.72;
 
-/// Rows beyond which a table is shown only when it is asked for.
+/// Largest number of rows that are shown at once; longer tables are opened by a click.
 const LONG: usize = 16;
 
-/// Longest CSV, in bytes, that is within the page; a longer one is the file beside it.
+/// Largest CSV, in bytes, that the page contains. The page links to the file of a larger one.
 const MOST_EMBEDDED: usize = 1 << 20;
 
-/// The page as one HTML file that loads nothing.
+/// The page as one HTML file that loads no other files.
 #[must_use]
 pub fn render(page: &Page) -> String {
     let costs = (!page.costs.is_empty()).then(|| Section {
@@ -70,11 +70,11 @@ pub fn render(page: &Page) -> String {
     markup.into_string()
 }
 
-const COST_PROSE: &str = "Wall-clock times in seconds: set-up is the building of a method's table, \
-    a run is one encounter with the table at hand. Errors are relative and the methods' own \
-    estimates: of interpolation in the table, and of the loads at gaps near contact.";
+const COST_PROSE: &str = "Times are wall-clock times in seconds. Set-up is the time to build a method's table; \
+    a run is one encounter with a finished table. Errors are relative errors, estimated by each \
+    method: of the interpolation in the table, and of the loads at gaps near contact.";
 
-/// What each section found, with a link to it.
+/// The finding of each section, with a link to the section.
 fn findings(sections: &[&Section]) -> Markup {
     let found: Vec<_> = (sections.iter())
         .filter(|section| !section.finding.is_empty())
@@ -123,7 +123,7 @@ fn figure(figure: &Figure) -> Markup {
     }
 }
 
-/// The width that an SVG gives itself.
+/// The width of an SVG, from its own attribute.
 fn width(svg: &str) -> Option<f64> {
     let header = svg.split_once('>')?.0;
     header
@@ -176,7 +176,7 @@ fn table(table: &Table) -> Markup {
                     }
                 } @else {
                     a href=(table.file_name) { (table.file_name) }
-                    " (beside this page, for it is large)"
+                    " (a large file beside this page)"
                 }
             }
             @if table.records.len() > LONG {

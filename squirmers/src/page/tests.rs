@@ -1,4 +1,4 @@
-//! The page from made-up content.
+//! Tests of the page with invented content.
 
 use super::table::displayed;
 use super::{Figure, MethodCost, Page, Provenance, Section, Table, render};

@@ -1,4 +1,4 @@
-//! The section on bottom-heavy squirmers: the panels of Fig. 8(a-f), and shares of orbits (g).
+//! The section on bottom-heavy squirmers: the panels of Fig. 8(a-f), and the shares of orbits (Fig. 8g).
 
 use crate::commands::bottom_heavy::failure;
 use crate::error::CommandError;
@@ -12,11 +12,10 @@ use compare::{Defaults, Model};
 
 use super::{findings, words, write_unless_less, written};
 
-/// Points a side over which shares are taken: a share of 20 % has a standard error
-/// of 3 %.
+/// Points a side of the maps for the shares. A share of 20 % then has a standard error of 3 %.
 const GRID: usize = 14;
 
-/// Tolerance of their steps, that of the command `fates`.
+/// Tolerance of the integrator in the maps, as in the command `fates`.
 const TOLERANCE: f64 = 1e-7;
 
 /// Squirmer parameters of the shares: strong pushers, as in the paper, and strong pullers.
@@ -25,7 +24,7 @@ const BETA: [f64; 2] = [-5.0, 5.0];
 /// Bottom-heavinesses of the shares.
 const GRAVITY: [f64; 5] = [0.0, 1.0, 2.0, 2.5, 3.0];
 
-/// The maps behind the shares of orbits.
+/// The maps from which the shares of orbits follow.
 pub(super) fn orbit_maps<'a>(
     models: &[&'a Model],
     sweep: &SweepOptions,
@@ -46,7 +45,7 @@ pub(super) fn orbit_maps<'a>(
     })
 }
 
-/// The section, and a line about each run without a result.
+/// The section, and a message about each run without a result.
 pub(super) fn section(
     models: &[&Model],
     sweep: &SweepOptions,
@@ -66,13 +65,13 @@ pub(super) fn section(
         csv: trajectories,
         file_name: "bottom-heavy.csv".to_owned(),
         ..Table::from_rows(
-            "What became of each panel's pair by t = 200, and how many times further down it went than \
-             its members would have gone alone; the linked file has the trajectories.",
+            "Outcome of each panel's pair at t = 200, and its depth divided by the depth of two lone squirmers. The \
+             linked file has the trajectories.",
             "bottom-heavy.csv",
             &summary,
         )?
     }];
-    // Left out where the time limit was reached.
+    // These are left out if the time limit was reached.
     if let Some(orbits) = &orbits {
         let csv = csv_text(orbits)?;
         out.write("gravity-fates.csv", &csv)?;
@@ -83,7 +82,7 @@ pub(super) fn section(
             caption: words::caption("gravity-fates").to_owned(),
         });
         tables.push(Table::from_csv(
-            "Share of each outcome over the incoming angles under gravity.",
+            "Share of each outcome under gravity, over all incoming angles.",
             "gravity-fates.csv",
             &csv,
         )?);

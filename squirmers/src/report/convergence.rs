@@ -1,4 +1,4 @@
-//! The section on the boundary elements' meshes: error against the exact loads, level by level.
+//! The section on the boundary elements' meshes: errors against the exact loads for each level.
 
 use crate::error::CommandError;
 use crate::page::{Section, Table};
@@ -11,8 +11,8 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CommandError> {
     let csv = csv_text(&rows)?;
     out.write("mesh-errors.csv", &csv)?;
     let prose = format!(
-        "Boundary elements against the exact loads, level by level; the default is level {}. A level \
-         that does not resolve a gap refuses it.",
+        "Errors of boundary elements against the exact loads, for each level of the mesh. The default is level {}. \
+         Gaps that a level does not resolve are left out.",
         Bem::DEFAULT_LEVEL
     );
     Ok(Section {
@@ -22,7 +22,7 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CommandError> {
         prose: vec![prose],
         figures: Vec::new(),
         tables: vec![Table::from_csv(
-            "Worst error over the 22 loads of modes 1 and 2, nodes a sphere, observed order in the \
+            "Largest error of the 22 loads of modes 1 and 2, nodes on a sphere, observed order in the \
              node spacing, and time for all loads at one gap.",
             "mesh-errors.csv",
             &csv,
@@ -30,7 +30,7 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CommandError> {
     })
 }
 
-/// What the default level reaches, and with how many nodes.
+/// The errors of the default level, and its number of nodes.
 fn finding(rows: &[MeshErrorRow]) -> String {
     let of_default: Vec<&MeshErrorRow> = (rows.iter())
         .filter(|row| row.level == Bem::DEFAULT_LEVEL)
@@ -40,7 +40,7 @@ fn finding(rows: &[MeshErrorRow]) -> String {
         .collect();
     let nodes = of_default.iter().map(|row| row.nodes).max().unwrap_or(0);
     format!(
-        "Boundary elements of the default level, {}, have up to {nodes} nodes a sphere; their worst load is off by {}.",
+        "Boundary elements of the default level {} have up to {nodes} nodes on a sphere. The largest error of a load is {}.",
         Bem::DEFAULT_LEVEL,
         parts.join(", ")
     )

@@ -1,5 +1,5 @@
-//! The section on what accuracy costs in time: from the rows that `squirmers cost` has left in the folder of the
-//! report, or else from a quick measurement.
+//! The section on what accuracy costs in time. It shows the rows that `squirmers cost` wrote into the folder of the
+//! report, or else those of a quick measurement.
 
 use super::findings;
 use crate::error::CommandError;
@@ -9,7 +9,7 @@ use compare::cost::{self, CostOptions};
 use compare::output::{OutputFolder, csv_text};
 use compare::watch::{Pieces, Progress};
 
-/// Error of the outgoing angles that the table aims at, in degrees.
+/// Target of the table: error of the outgoing angles, in degrees.
 const TARGET_DEG: f64 = 0.1;
 
 pub(super) fn section(out: &OutputFolder) -> Result<Section, CommandError> {
@@ -22,7 +22,7 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CommandError> {
         Some(csv) => ("cost.csv", csv),
         None if out.account().stopped() => {
             section.prose.push(
-                "The time limit was reached before it was measured: the same command goes on from here."
+                "The time limit was reached before this was measured. The same command continues from here."
                     .to_owned(),
             );
             return Ok(section);
@@ -31,18 +31,18 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CommandError> {
     };
     let rows = cost::read(&csv)?;
     section.prose.push(
-        "Error against the exact answer over wall-clock time, the minimum of repeated runs after a \
-         warm-up."
+        "Error against the exact answer as a function of wall-clock time. Times are the smallest of several \
+         repeats after a warm-up."
             .to_owned(),
     );
     section.prose.push(if name == "cost.csv" {
         let said = out.read("cost.txt").unwrap_or_default();
         let lines: Vec<&str> = said.lines().collect();
-        format!("Measured apart: {}.", lines.join("; "))
+        format!("From a separate measurement: {}.", lines.join("; "))
     } else {
         out.write(name, &csv)?;
-        "Measured with this page, few levels and cases of each method: run `squirmers cost` with the same --out, on \
-         a machine that does nothing else, then this again, for all of them."
+        "These are quick measurements with few levels and cases. For all levels and cases, run `squirmers cost` with the \
+         same --out on a machine that does nothing else, then repeat this command."
             .to_owned()
     });
     let found = cost::findings(&rows);
@@ -51,25 +51,25 @@ pub(super) fn section(out: &OutputFolder) -> Result<Section, CommandError> {
         Figure {
             svg: loads_work_precision(&rows)?,
             caption:
-                "Worst error over the loads of modes 1 and 2 at four gaps, over the time of one \
-                      evaluation."
+                "Largest error of the loads of modes 1 and 2 at four gaps, as a function of the time of one \
+                 evaluation."
                     .to_owned(),
         },
         Figure {
             svg: deflections_work_precision(&rows)?,
             caption:
-                "Error of the outgoing angles over the time of a trajectory, with the tolerance \
-                      of its steps as the knob; the time to build tables is not counted here."
+                "Error of the outgoing angles as a function of the time of a trajectory, for several tolerances of the \
+                 integrator. The time to build tables is not included."
                     .to_owned(),
         },
     ];
     let caption = format!(
-        "Cheapest method and tolerance that reach {TARGET_DEG} degrees, counting a table's set-up not \
-         at all, and for one trajectory alone; the linked file has every row measured."
+        "The cheapest method and tolerance with an error of at most {TARGET_DEG} degrees, first without the set-up of \
+         tables, then for a single trajectory with its set-up. The linked file has every measured row."
     );
     let recommended = cost::recommend(&rows, TARGET_DEG);
     section.tables.push(Table::from_rows(
-        "What the measurements come to.",
+        "Results of the measurements.",
         "cost-findings.csv",
         &found,
     )?);

@@ -1,4 +1,4 @@
-//! The section on what each effect costs.
+//! The section on the cost of each effect.
 
 use serde::Serialize;
 
@@ -22,7 +22,7 @@ struct EffectCost {
     instructions_without_absent_effects: f64,
 }
 
-/// The section, with the models that are there.
+/// The section, with the given models.
 pub(super) fn section(models: &[Model]) -> Result<Section, CommandError> {
     let word = |there: bool| if there { "yes" } else { "" };
     let mut rows = Vec::new();
@@ -43,16 +43,16 @@ pub(super) fn section(models: &[Model]) -> Result<Section, CommandError> {
             instructions_without_absent_effects: counted.without_absent_effects,
         });
     }
-    let caption = "One right-hand side: state and how many numbers it has, effects, time measured with this page, \
-                   instructions as counted by callgrind, and those of the same arithmetic written by hand \
-                   without what is absent.";
+    let caption = "One right-hand side: kind of coordinates and number of variables, effects, time measured with this \
+                   page, instructions counted by callgrind, and instructions of the same arithmetic written by hand \
+                   without the absent effects.";
     Ok(Section {
         id: "effects".to_owned(),
         title: "What each effect costs".to_owned(),
         prose: vec![
-            "A plan made from the scene settles what runs: the smallest state that its symmetry allows, and the \
-             effects that it names. What a scene does not call for is not there when the equation of motion is \
-             compiled: no multiplication by zero, no branch, no column of a table, no solve."
+            "The plan of a scene decides what is computed: the smallest set of variables that its symmetry allows, and \
+             the effects that the scene names. The compiled equation of motion contains no other effects: no \
+             multiplication by zero, no branch, no column of a table, no solve."
                 .to_owned(),
         ],
         tables: vec![Table::from_rows(caption, "effects.csv", &rows)?],

@@ -12,8 +12,8 @@ use compare::output::{OutputFolder, csv_text};
 use compare::sweep::{self, SweepOptions};
 use compare::{Encounter, LoadErrorRow, Method, Model, ModelOptions, comparison, load_errors};
 
-/// How far each method is from the exact loads and the exact deflections. Both forms of
-/// lubrication theory are shown here, whichever ran: they cost nothing.
+/// Errors of the loads and deflections of each method. Both forms of lubrication theory are always shown here,
+/// because their loads take no time.
 pub(super) fn section(
     models: &[Model],
     exact: &Model,
@@ -62,15 +62,15 @@ pub(super) fn section(
                 csv: errors_csv,
                 file_name: "load-errors.csv".to_owned(),
                 ..Table::from_rows(
-                    "Worst error over all loads of modes 1 and 2, and which load it is; the \
+                    "Largest error of all loads of modes 1 and 2, and the name of this load. The \
                      linked file has every load at every gap.",
                     "load-errors.csv",
                     &worst_loads(&errors),
                 )?
             },
             Table::from_csv(
-                "Deflections by every method, and how far they are from the exact ones; \
-                 outcomes by lubrication theory as published / exact.",
+                "Deflections by every method, their differences from the exact ones, and outcomes by \
+                 lubrication theory as published / by exact hydrodynamics.",
                 "comparison.csv",
                 &comparison_csv,
             )?,
@@ -87,7 +87,7 @@ struct WorstLoad {
     load: String,
 }
 
-/// The worst load of each method at whole powers of ten of the gap.
+/// The load with the largest error, for each method, at gaps that are powers of ten.
 fn worst_loads(errors: &[LoadErrorRow]) -> Vec<WorstLoad> {
     (errors.chunk_by(|a, b| a.method == b.method && a.gap.total_cmp(&b.gap).is_eq()))
         .filter(|of_gap| (of_gap[0].gap.log10() - of_gap[0].gap.log10().round()).abs() < 1e-9)

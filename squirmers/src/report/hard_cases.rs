@@ -34,7 +34,7 @@ pub(super) fn section(
     };
     section.prose.push(PROSE.to_owned());
     section.tables.push(Table::from_csv(
-        "What was measured, the largest value allowed, and where that bound comes from.",
+        "The measured quantity, its largest allowed value, and the reason for this bound.",
         "hard-cases.csv",
         &csv,
     )?);

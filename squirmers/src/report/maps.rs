@@ -1,5 +1,5 @@
-//! The sections on maps over the incoming angles: outcomes (Fig. 1c), deflections (Figs 2-4), shares
-//! (Fig. 5a), and where lubrication theory can be trusted, in the plane and off it.
+//! The sections on maps over the incoming angles: outcomes (Fig. 1c), deflections (Figs 2-4), shares (Fig. 5a), and
+//! where lubrication theory can be trusted, with and without an offset out of the plane.
 
 use super::findings::{self, percent};
 use super::{outcomes, written};
@@ -14,8 +14,8 @@ use compare::output::{OutputFolder, csv_text};
 use compare::sweep::SweepOptions;
 use compare::{Method, Model};
 
-/// Points a side of the maps of Figs 2 to 4, of the shares against beta, and of the trust against the
-/// offset.
+/// Points a side of the maps of Figs 2 to 4, of the maps for the shares as a function of beta, and of the maps of
+/// trust as a function of the offset.
 const SCATTER_GRID: usize = 100;
 const FATES_GRID: usize = 30;
 const OFFSET_GRID: usize = 20;
@@ -26,12 +26,12 @@ const FATES_BETA: std::ops::RangeInclusive<i32> = -10..=10;
 /// Offsets out of the plane, in radii.
 const OFFSETS: [f64; 6] = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5];
 
-/// Tolerance of the steps in maps.
+/// Tolerance of the integrator in maps.
 const TOLERANCE: f64 = 1e-7;
 
 /// The maps of the page.
 pub(super) struct ReportMaps<'a> {
-    /// All models but boundary elements, which agree with the exact series.
+    /// All models except boundary elements, which agree with the exact series.
     models: Vec<&'a Model>,
     exact: &'a Model,
     options: SweepOptions,
@@ -47,7 +47,7 @@ fn in_plane(beta: f64) -> Pair {
 }
 
 impl<'a> ReportMaps<'a> {
-    /// The maps; none without lubrication theory or without the exact series to judge it by.
+    /// The maps; `None` without the exact series, or without a model to compare with them.
     pub(super) fn new(
         models: &'a [Model],
         sweep: &SweepOptions,
@@ -107,14 +107,14 @@ impl<'a> ReportMaps<'a> {
         })
     }
 
-    /// The models that the exact one judges.
+    /// The models that are compared with the exact one.
     fn judged(&self) -> Vec<&'a Model> {
         (self.models.iter().copied())
             .filter(|model| model.method() != Method::Exact)
             .collect()
     }
 
-    /// Makes sure that no finished lines of another command's maps would be lost.
+    /// Checks that no finished lines of another command's maps would be deleted.
     pub(super) fn check(&self) -> Result<(), CommandError> {
         for maps in [
             self.scatter_maps()?,
@@ -126,7 +126,7 @@ impl<'a> ReportMaps<'a> {
         Ok(())
     }
 
-    /// The sections.
+    /// All sections on maps.
     pub(super) fn sections(&self) -> Result<Vec<Section>, CommandError> {
         let mut sections = vec![outcomes::section(&self.models, &self.options, self.out)?];
         let Some(rows) = self.scatter(&mut sections)? else {
@@ -159,7 +159,7 @@ impl<'a> ReportMaps<'a> {
             return Ok(None);
         }
         let csv = csv_text(&all)?;
-        // Beta by beta, lubrication theory above what judges it.
+        // For each beta, lubrication theory comes before exact hydrodynamics.
         let place = |beta: f64| SCATTER_BETA.iter().position(|b| b.total_cmp(&beta).is_eq());
         drawn.sort_by_key(|(beta, _)| place(*beta));
         let drawn = drawn.into_iter().flat_map(|(_, pictures)| pictures);
@@ -174,10 +174,10 @@ impl<'a> ReportMaps<'a> {
             finding: findings::of_bound(&shares),
             prose: vec![
                 "Squirmers start at (-1.5, 0) and (1.5, 0) with the angles φ1 = π(Σ - Δ)/2 and φ2 = \
-                 π(Σ + Δ)/2. What becomes of them is told from the motion itself: scattered (I), at rest \
-                 facing each other (II), swimming together along a line (III), orbiting anticlockwise (IV) or \
-                 clockwise (V). A pair is bound once gap and orientations have come to a fixed point from which \
-                 nothing grows; undecided is what has neither parted nor settled at t = 200."
+                 π(Σ + Δ)/2. The outcomes are: scattered (I), at rest facing each other (II), swimming together along a \
+                 line (III), orbiting anticlockwise (IV) or clockwise (V). A pair is bound if its gap and orientations reach \
+                 a fixed point at which no disturbance grows. A pair is undecided if it has neither parted nor reached such a \
+                 fixed point at t = 200."
                     .to_owned(),
                 bound_in_words(&shares),
             ],
@@ -201,8 +201,8 @@ impl<'a> ReportMaps<'a> {
             title: title.to_owned(),
             finding: findings::of_fates(&rows),
             prose: vec![format!(
-                "Shares of a grid of {FATES_GRID} by {FATES_GRID} incoming angles; the sampling error in the \
-                 table is that of as many random ones."
+                "Shares of a grid of {FATES_GRID} by {FATES_GRID} incoming angles. The sampling error in the \
+                 table is the error for the same number of random points."
             )],
             figures: written(pictures::of_fates(&rows)?, self.out)?,
             tables: vec![Table::from_csv("Shares of the plane.", "fates.csv", &csv)?],
@@ -210,7 +210,7 @@ impl<'a> ReportMaps<'a> {
         Ok(())
     }
 
-    /// The trust map, from the maps that have been run.
+    /// The map of trust, from maps that have been run.
     fn trust(&self, rows: &[ScatterRow], sections: &mut Vec<Section>) -> Result<(), CommandError> {
         let of = |model: &Model| -> Vec<&[ScatterRow]> {
             let points = SCATTER_GRID * SCATTER_GRID;
@@ -231,8 +231,8 @@ impl<'a> ReportMaps<'a> {
         self.out.write("bound-states.csv", &states_csv)?;
         let shares = maps::trust_shares(&trusted);
         let table = Table::from_rows(
-            "Shares of the plane by how far lubrication theory is from exact hydrodynamics; the linked file \
-             has every point.",
+            "Share of the plane in each class of difference between lubrication theory and exact hydrodynamics. The \
+             linked file has every point.",
             "trust.csv",
             &shares,
         )?;
@@ -247,16 +247,16 @@ impl<'a> ReportMaps<'a> {
             tables: vec![
                 Table { csv, ..table },
                 Table::from_rows(
-                    "Pairs that one model binds and the other parts, or binds otherwise: an example of each kind, \
-                     and what the other model has of that state (where both bind, exact hydrodynamics of \
-                     lubrication theory's): none, an unstable one with its gap and growth rate by linearised \
-                     motion, or one that attracts but is not reached from there.",
+                    "Starts from which one model gives a bound state and the other gives a different outcome, with one \
+                     example for each pair of outcomes. The column `state` says whether the other model has this bound \
+                     state: it is absent, or unstable (with its gap and its growth rate from linearised motion), or stable \
+                     but not reached from this start. If both models bind the pair, this is lubrication theory's state.",
                     "trust-examples.csv",
                     &examples,
                 )?,
                 Table::from_csv(
-                    "All bound states with gaps below 1, stable or not: fixed points of gap and orientations \
-                     as seen along the line of centres, by Newton's method from all over the plane. Mirror \
+                    "All stable and unstable bound states with gaps below 1. They are fixed points of the gap and of the \
+                     orientations relative to the line of centres, found by Newton's method from many starts. Mirror \
                      images are left out.",
                     "bound-states.csv",
                     &states_csv,
@@ -266,7 +266,7 @@ impl<'a> ReportMaps<'a> {
         Ok(())
     }
 
-    /// Trust against the offset out of the plane.
+    /// Trust as a function of the offset out of the plane.
     fn trust_against_offset(&self, sections: &mut Vec<Section>) -> Result<(), CommandError> {
         let title = "Trust in lubrication theory off the plane";
         let mut shares = Vec::new();
@@ -286,8 +286,8 @@ impl<'a> ReportMaps<'a> {
             title: title.to_owned(),
             finding: findings::of_trust_against_offset(&shares),
             prose: vec![
-                "The same classes when the first squirmer starts raised by δz/2 and the second lowered by \
-                 δz/2, over all incoming angles of the plane."
+                "Shares of the classes of difference when squirmer 1 starts at z = δz/2 and squirmer 2 at z = -δz/2, over \
+                 all incoming angles of the plane."
                     .to_owned(),
             ],
             figures: written(drawn, self.out)?,
@@ -301,12 +301,12 @@ fn unfinished(id: &str, title: &str) -> Section {
     Section {
         id: id.to_owned(),
         title: title.to_owned(),
-        prose: vec!["The time limit was reached: the same command goes on from here.".to_owned()],
+        prose: vec!["The time limit was reached. The same command continues from here.".to_owned()],
         ..Section::default()
     }
 }
 
-/// What is bound, map by map.
+/// The shares of pairs that do not part, for each map.
 fn bound_in_words(shares: &[FateRow]) -> String {
     let parts: Vec<String> = (shares.iter())
         .filter(|row| row.bound() + row.undecided > 0.0)
@@ -329,15 +329,18 @@ fn bound_in_words(shares: &[FateRow]) -> String {
     if parts.is_empty() {
         "No pair stays bound.".to_owned()
     } else {
-        format!("What does not part: {}. All others part.", parts.join("; "))
+        format!(
+            "Pairs that do not part: {}. All others part.",
+            parts.join("; ")
+        )
     }
 }
 
 fn trust_in_words(shares: &maps::TrustShares) -> String {
     let usable = shares.within_5_deg + shares.within_15_deg;
     format!(
-        "β = {}, {}: over {} of the incoming angles both outgoing directions are within 5° of the exact ones, \
-         over {} within 15°; {} end otherwise altogether.",
+        "β = {}, {}: both outgoing directions are within 5° of the exact ones over {} of the incoming angles, and \
+         within 15° over {}. The outcome differs over {}.",
         shares.beta,
         shares.method,
         percent(shares.within_5_deg),

@@ -1,4 +1,4 @@
-//! Every comparison with the paper's cases, written as files and as one page.
+//! The command `report`: all comparisons for the paper's cases, as files and as one page.
 
 mod bottom_heavy;
 mod convergence;
@@ -29,14 +29,14 @@ use crate::error::CommandError;
 use crate::provenance;
 use compare::{Approach, Case, Defaults, Encounter, Method, Model, ModelOptions};
 
-/// Gaps at which the page states each model's own error estimate: where collisions go.
+/// Gaps at which the page states each model's own error estimate. They are typical of collisions.
 const STATED_GAPS: [f64; 3] = [0.1, 0.01, 0.005];
 
-/// Loads of the paper's cases.
+/// Loads that the paper's cases read.
 const LOADS: LoadSet = LoadSet::all(2);
 
-/// Runs everything, writes each command's files into `out`, and the page that shows them;
-/// returns the page's path. `typed` is the command line, for the footer.
+/// Runs everything, writes the files of each command into `out`, and writes the page that shows them. Returns the
+/// path of the page. `typed` is the command line, for the footer.
 pub(crate) fn write(
     methods: &[Method],
     options: &ModelOptions,
@@ -103,7 +103,7 @@ pub(crate) fn write(
     Ok(out.write("index.html", &page)?)
 }
 
-/// The page while the time limit has left something out: no whole page is replaced by it.
+/// Name of a page that is incomplete because of the time limit. It never replaces a complete page.
 const UNFINISHED: &str = "index.unfinished.html";
 
 /// The paper's encounters of an approach.
@@ -136,7 +136,7 @@ fn kept_rows<'a>(
     }
 }
 
-/// Makes sure, before anything is computed, that nothing is lost that an earlier command has kept.
+/// Checks, before anything is computed, that no finished rows of an earlier command would be deleted.
 fn check_kept(
     models: &[Model],
     sweep: &SweepOptions,
@@ -150,7 +150,7 @@ fn check_kept(
     Ok(kept_rows("offset", models, &cases, sweep, out).check_offsets(&dz)?)
 }
 
-/// Writes a file, unless the time limit has left something out and an earlier command's is there.
+/// Writes a file, unless the time limit left something out and an earlier command wrote this file.
 fn write_unless_less(name: &str, text: &str, out: &OutputFolder) -> Result<(), CommandError> {
     if !(out.account().stopped() && out.holds(name)) {
         out.write(name, text)?;
@@ -158,7 +158,7 @@ fn write_unless_less(name: &str, text: &str, out: &OutputFolder) -> Result<(), C
     Ok(())
 }
 
-/// What has been run so far.
+/// The content of the page so far.
 #[derive(Default)]
 struct Content {
     sections: Vec<Section>,
@@ -188,8 +188,8 @@ impl Content {
             prose: vec![prose],
             figures: written(of_encounters(approach, &encounters, Drawn::Paths)?, out)?,
             tables: vec![Table::from_csv(
-                "Deflection is outgoing minus incoming angle; tau is the time spent at gaps up \
-                 to 1; seconds are wall-clock time of the run without the table's set-up.",
+                "Deflection is the outgoing minus the incoming angle; tau is the interaction time (at gaps up \
+                 to 1); seconds are the wall-clock time of the run without the table's set-up.",
                 &file_name,
                 &csv,
             )?],
@@ -214,14 +214,14 @@ impl Content {
             title: "Sensitivity to an offset out of the plane (Fig. 5b)".to_owned(),
             finding: findings::of_offsets(&rows),
             prose: vec![
-                "The first squirmer starts raised by dz/2, the second lowered by dz/2. Shown is the \
-                 angle between a squirmer's outgoing orientation with and without the offset."
+                "Squirmer 1 starts at z = dz/2, squirmer 2 at z = -dz/2. The picture shows the angle \
+                 between a squirmer's outgoing orientations with and without the offset."
                     .to_owned(),
                 words::bound_in_plane(&rows),
             ],
             figures: written(of_offsets(&rows)?.into_iter().collect(), out)?,
             tables: vec![Table::from_csv(
-                "Change of the outgoing orientations; of a pair that stays bound, of those at the end of \
+                "Change of the outgoing orientations. For a pair that stays bound, orientations are those at the end of \
                  the run (t = 200).",
                 "offset.csv",
                 &csv,
@@ -230,7 +230,7 @@ impl Content {
         Ok(())
     }
 
-    /// Lubrication theory as published beside exact hydrodynamics, as far as they are asked for.
+    /// Adds bottom-heavy squirmers by lubrication theory as published and by exact hydrodynamics, if requested.
     fn add_bottom_heavy(
         &mut self,
         models: &[&Model],
@@ -252,7 +252,7 @@ impl Content {
     }
 }
 
-/// A caption that begins with the title of its picture: which model and which parameters it shows.
+/// A caption that begins with the title of its picture, which names the model and the parameters.
 fn captioned(svg: &str, text: &str) -> String {
     let title = (svg.split_once("aria-label=\""))
         .and_then(|(_, rest)| rest.split_once('"'))
@@ -294,7 +294,7 @@ fn method_cost(model: &Model, encounters: &[Encounter]) -> MethodCost {
         None if model.is_direct() => (0, f64::NAN, "solved directly"),
         None => (0, f64::NAN, "closed form"),
     };
-    // A closed form has no error of its own to state; what the formula is worth is another matter.
+    // A closed form has no error estimate of its own.
     let stated = |eps: f64| {
         let gap = Gap::new(eps).ok()?;
         let error = model.error_estimate(gap, LOADS).ok()??;

@@ -31,7 +31,7 @@ pub(super) fn section(
         let drawn = pictures::of_panels(&format!("{name}.svg"), title, &runs)?;
         figures.extend(written(drawn.into_iter().collect(), out)?);
         let summary: Vec<_> = runs.iter().map(ExampleRow::of).collect();
-        let caption = "What became of each pair; the linked file has the trajectories.";
+        let caption = "Outcome of each pair. The linked file has the trajectories.";
         let table = Table::from_rows(caption, &file_name, &summary)?;
         tables.push(Table { csv, ..table });
     }
@@ -39,9 +39,9 @@ pub(super) fn section(
             id: "outcomes".to_owned(),
             title: "Outcomes (Figs 1c and 2c)".to_owned(),
             prose: vec![
-                "One start for each outcome that lubrication theory has, and neutral squirmers that slide along each \
-                 other (i), turn together (ii, iii) or brush past (iv); below, the same starts by exact \
-                 hydrodynamics. Arrows are orientations."
+                "The first picture shows one start for each outcome of lubrication theory. The second shows neutral \
+                 squirmers that slide along each other (i), turn together (ii, iii) or brush past each other (iv). The lower \
+                 rows show the same starts by exact hydrodynamics. Arrows are orientations."
                     .to_owned(),
             ],
             figures,
@@ -50,7 +50,7 @@ pub(super) fn section(
         })
 }
 
-/// What became of an example.
+/// The result of one start by one method.
 #[derive(Serialize)]
 struct ExampleRow {
     panel: String,

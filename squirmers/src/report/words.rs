@@ -9,26 +9,26 @@ pub(super) fn lead() -> Vec<String> {
     vec![
         "When two swimming microorganisms collide, how far can lubrication theory be trusted, and \
          what does a better answer cost? Two spherical squirmers of radius a meet in a Stokes fluid. \
-         Each encounter is computed with the loads of lubrication theory, which acts only where the \
-         gap is at most one radius, and with those of full hydrodynamics."
+         Each encounter is computed by lubrication theory, which acts only at gaps up to one radius, \
+         and by full hydrodynamics."
             .to_owned(),
-        "Lengths are in radii a, times in a/V_s, angles in degrees, anticlockwise positive. The \
-         cases are those of Darveniza, Ishikawa, Pedley & Brumley, Pairwise scattering and bound \
-         states of spherical microorganisms (2022)."
+        "Lengths are in radii a, times in a/V_s (V_s is the swimming speed), angles in degrees, anticlockwise \
+         positive. The squirmer parameter is β = B2/B1: pushers have β < 0, pullers β > 0. The cases are those of \
+         Darveniza, Ishikawa, Pedley & Brumley, Pairwise scattering and bound states of spherical microorganisms (2022)."
             .to_owned(),
     ]
 }
 
-/// What the errors of the loads are relative to.
+/// The definition of the errors of the loads.
 pub(super) const ERRORS: &str = "Exact loads are those of bispherical series. Errors are relative to the larger of the \
      load and 1.";
 
-/// How the panels under gravity are set up.
+/// The set-up of the panels under gravity.
 pub(super) const BOTTOM_HEAVY: &str = "Gravity turns bottom-heavy squirmers upward at the rate k sin(θ), k = G \
-     V_s/(8πa), θ the angle to up. Not all starts of Fig. 8 are printed; those that are not are chosen here so that \
-     lubrication theory does what the paper says of the panel.";
+     V_s/(8πa), where θ is the angle to the upward direction. The paper does not print all starts of Fig. 8. The \
+     other starts are chosen here so that lubrication theory gives the outcome that the paper describes.";
 
-/// Says which pairs are bound without an offset: a small one can free them.
+/// Names the pairs that are bound without an offset. A small offset can part them.
 pub(super) fn bound_in_plane(rows: &[OffsetRow]) -> String {
     let mut bound: Vec<_> = (rows.iter())
         .filter(|row| row.outcome_in_plane != Outcome::Scattered.to_string())
@@ -49,7 +49,7 @@ pub(super) fn bound_in_plane(rows: &[OffsetRow]) -> String {
         "Without an offset every pair parts.".to_owned()
     } else {
         format!(
-            "Without an offset these stay bound, and the change is that of the orientation at the \
+            "Without an offset these pairs stay bound, and the change is that of the orientation at the \
              end of the run: {}.",
             bound.join("; ")
         )
@@ -62,8 +62,8 @@ pub(super) fn encounters(approach: Approach) -> (&'static str, String) {
         Approach::HeadOn => (
             "Opposed approach (Fig. 6)",
             format!(
-                "Squirmers of opposed velocities start at (-δx/2, 5) and (δx/2, -5). Under lubrication \
-                 theory those with δx > {} pass without noticing each other.",
+                "Squirmers with opposed velocities start at (-δx/2, 5) and (δx/2, -5). In lubrication \
+                 theory pairs with δx > {} do not interact.",
                 2.0 + lt::CUTOFF
             ),
         ),
@@ -78,34 +78,35 @@ pub(super) fn encounters(approach: Approach) -> (&'static str, String) {
 /// Caption of the picture in a file.
 pub(super) fn caption(file_name: &str) -> &'static str {
     if file_name.contains("gravity-fates") {
-        "Share of starts that end in a drifting orbit, against bottom-heaviness."
+        "Share of starts that end in a drifting orbit, as a function of the bottom-heaviness."
     } else if file_name.contains("bottom-heavy") {
-        "Paths under gravity, which acts along -y, from (-1.5, 0) and (1.5, 0), each in a window of its own. G and β of (a), (b) and (c), β of (d) and the starting angles of (e) and \
-         (f) are the paper's; the others are not printed there and are round values that show what it says."
+        "Paths under gravity, which acts along -y, from (-1.5, 0) and (1.5, 0). Each pair has a window of its own. The \
+         paper gives G and β of (a), (b) and (c), β of (d), and the initial angles of (e) and (f). The other values are \
+         round numbers chosen here, which give the behaviour that the paper describes."
     } else if file_name.contains("load-errors") {
-        "Error of each load against the exact one. Beyond a gap of 1 lubrication theory has the loads \
+        "Error of each load against the exact load. At gaps above 1 lubrication theory has the loads \
          of lone squirmers."
     } else if file_name.contains("trajectories") {
-        "Paths of both squirmers (solid: first, dashed: second), with dots at equal times and the \
-         spheres, to scale, at closest approach. Lubrication paths are continued by straight flight; \
-         the others end where the two, receding, are 12 apart."
+        "Paths of both squirmers (solid: squirmer 1, dashed: squirmer 2), with dots at equal times, and the \
+         spheres to scale at closest approach. Paths by lubrication theory end with a straight flight; \
+         the others end at a distance of the centres of 12."
     } else if file_name.contains("outcomes") {
-        "One start for each outcome of lubrication theory, above; below, the same starts by exact \
+        "Upper row: one start for each outcome of lubrication theory. Lower row: the same starts by exact \
          hydrodynamics."
     } else if file_name.contains("examples") {
-        "Neutral squirmers from four starts by lubrication theory, above, and by exact hydrodynamics."
+        "Neutral squirmers from four starts, by lubrication theory (upper row) and by exact hydrodynamics (lower row)."
     } else if file_name.contains("scatter") {
-        "Deflections (of a bound pair: change of orientation up to the end of the run), time spent at gaps \
-         up to 1, and outcome."
+        "Deflections (for a bound pair: change of orientation up to the end of the run), interaction time τ (at \
+         gaps up to 1), and outcome."
     } else if file_name.contains("fates") {
         "Share of each outcome."
     } else if file_name.contains("trust-dz") {
-        "Shares of the incoming angles by how far lubrication theory is from exact hydrodynamics."
+        "Share of the incoming angles in each class of difference between lubrication theory and exact hydrodynamics."
     } else if file_name.contains("trust") {
-        "Difference of lubrication theory from exact hydrodynamics."
+        "Difference between lubrication theory and exact hydrodynamics."
     } else if file_name.contains("deflection") {
-        "Deflection of the squirmers against the offset of their paths."
+        "Deflection of the squirmers as a function of the offset of their paths."
     } else {
-        "Change of the outgoing orientation against the offset out of the plane."
+        "Change of the outgoing orientation as a function of the offset out of the plane."
     }
 }

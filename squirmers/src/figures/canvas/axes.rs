@@ -1,4 +1,4 @@
-//! Axes of a panel: frame, mesh, ticks and titles.
+//! Axes of a panel: frame, grid lines, ticks and titles.
 
 use std::ops::Range;
 
@@ -9,27 +9,28 @@ use super::{ABOVE, Anchor, BELOW, CHARACTER, EDGE, LEFT, PANEL_TEXT, Panel, RIGH
 use crate::figures::range::sound;
 use crate::figures::style::{INK, MESH};
 
-/// Length of a tick, and the room between it and its label, or between two labels.
+/// Length of a tick, and room between a tick and its label or between two labels.
 const TICK: f64 = 4.0;
 const GAP: f64 = 4.0;
 
-/// Middle of an axis title, from the outer edge of its room.
+/// Distance of the middle of an axis title from the outer edge of its room.
 const AXIS_TITLE: f64 = 9.0;
 
-/// The longest label stays clear of the title of the y axis, and within the sheet at the end of the x axis.
+/// Largest width of a label. Such a label does not touch the title of the y axis, and stays on the sheet at the end
+/// of the x axis.
 const _: () = {
     let label = CHARACTER * TEXT * LONGEST as f64;
     assert!(TICK + GAP + label + AXIS_TITLE + 0.5 * TEXT <= LEFT);
     assert!(0.5 * label <= RIGHT + EDGE);
 };
 
-/// What is shown along x or y.
+/// The x axis or y axis of a panel.
 #[derive(Clone)]
 pub(crate) struct Axis {
     pub(super) range: Range<f64>,
     /// Name and unit: `name (unit)`.
     title: &'static str,
-    /// Most ticks.
+    /// Largest number of ticks.
     most: usize,
     scale: Scale,
 }
@@ -45,7 +46,7 @@ impl Axis {
         }
     }
 
-    /// An axis of powers of ten: its range is that of the logarithms.
+    /// An axis of powers of ten. Its range is the range of the logarithms.
     pub(crate) fn powers(range: &Range<f64>, title: &'static str, most: usize) -> Self {
         let scale = Scale::Powers;
         Self {
@@ -54,13 +55,13 @@ impl Axis {
         }
     }
 
-    /// Share of the axis that lies before a value.
+    /// Position of a value as a share of the axis, from 0 to 1.
     pub(super) fn share(&self, value: f64) -> f64 {
         (value - self.range.start) / (self.range.end - self.range.start)
     }
 }
 
-/// What a panel shows.
+/// Title and axes of a panel.
 pub(crate) struct Axes {
     pub title: String,
     pub x: Axis,

@@ -1,4 +1,4 @@
-//! Filled areas: maps, as one picture within the picture, and hatches.
+//! Filled areas: maps, each drawn as one pixel image, and hatches.
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -8,7 +8,7 @@ use super::{Canvas, px};
 use crate::figures::FigureError;
 use crate::figures::style::{Fill, INK, WHITE};
 
-/// Distance of the lines of a hatch along x, and their width.
+/// Distance of the lines of a hatch along x, and width of the lines.
 const SPACING: f64 = 6.0;
 const LINE: f64 = 0.9;
 
@@ -16,22 +16,22 @@ const LINE: f64 = 0.9;
 #[derive(Clone, Copy)]
 pub(crate) struct MapCell {
     pub fill: Fill,
-    /// Whether the panel's quantity is known there.
+    /// Whether the panel's quantity is known at this point.
     pub is_data: bool,
 }
 
-/// A square grid of fills, its lines from the bottom upward.
+/// A square grid of fills. Its rows are ordered from the bottom upward.
 pub(crate) struct Map {
     fills: Vec<Fill>,
     side: usize,
-    /// Its colours as a PNG in base64, a pixel a point.
+    /// The colours as a PNG in base64, with one pixel for each point.
     image: String,
     pub is_data: bool,
 }
 
 impl Map {
     /// # Errors
-    /// [`FigureError`] if the cells are no square grid, or cannot be encoded.
+    /// [`FigureError`] if the cells are not a square grid, or cannot be encoded.
     pub(crate) fn new(cells: &[MapCell]) -> Result<Self, FigureError> {
         let side = cells.len().isqrt();
         if side == 0 || side * side != cells.len() {
@@ -65,8 +65,8 @@ fn png(side: u32, data: &[u8]) -> Result<Vec<u8>, png::EncodingError> {
     Ok(bytes)
 }
 
-/// Side of a map of `cells` points a side: near `nominal`, and a whole number of pixels a point, so that all are of the
-/// same size. Where points are smaller than pixels it is `nominal`.
+/// Side of a map of `cells` points a side. It is near `nominal`, and each point has a whole number of pixels, so that
+/// all points have the same size. If points are smaller than pixels, the side is `nominal`.
 pub(crate) fn whole_side(nominal: f64, cells: usize) -> f64 {
     let cells = cells.max(1) as f64;
     if cells > 1.25 * nominal {
@@ -75,8 +75,8 @@ pub(crate) fn whole_side(nominal: f64, cells: usize) -> f64 {
     (nominal / cells).round().max(1.0) * cells
 }
 
-/// Lines at 45 degrees over a box, as far as they cover places that `takes`. Borders between places are whole pixels,
-/// and lines cross them there.
+/// Lines at 45 degrees over a box, only over those places for which `takes` is true. Borders between places are at
+/// whole pixels, so lines begin and end there.
 fn hatch(
     (width, height): (f64, f64),
     rising: bool,
@@ -84,7 +84,7 @@ fn hatch(
 ) -> Vec<[(f64, f64); 2]> {
     let mut pieces = Vec::new();
     for line in 0..((width + height) / SPACING).ceil() as usize {
-        // Along this line x + y is the same.
+        // Along this line x + y is constant.
         let sum = SPACING * (line as f64 + 0.5);
         let (from, to) = ((sum - height).max(0.0), sum.min(width));
         let at = |x: f64| (if rising { x } else { width - x }, sum - x);
@@ -129,7 +129,7 @@ impl Canvas {
         });
     }
 
-    /// The hatches of a box of fills: a path for each colour and direction.
+    /// The hatches of a box of fills, with a path for each colour and direction.
     fn hatches(&mut self, (x, y): (f64, f64), size: (f64, f64), fill: impl Fn((f64, f64)) -> Fill) {
         for (rising, line) in [(true, INK), (false, INK), (true, WHITE), (false, WHITE)] {
             let marked = |at| fill(at).has_lines(rising) && fill(at).line() == line;

@@ -3,7 +3,7 @@
 use super::{Anchor, Canvas, TEXT, text_width};
 use crate::figures::style::{Colour, Fill, INK, Shape, Stroke};
 
-/// What a legend's entry shows.
+/// The symbol of an entry of a legend.
 #[derive(Clone, Copy)]
 pub(crate) enum Key {
     Line(Stroke),
@@ -18,18 +18,18 @@ pub(crate) enum Key {
 /// One entry of a legend.
 pub(crate) type Entry = (Key, String);
 
-/// Length of a legend's symbol, the room after it, and the room after a whole entry.
+/// Length of a legend's symbol, room after the symbol, and room after the whole entry.
 const KEY: f64 = 29.0;
 const KEY_ROOM: f64 = 8.0;
 const ENTRY_ROOM: f64 = 24.0;
 const ENTRY_HEIGHT: f64 = 22.0;
 
-/// Width of an entry with the room after it.
+/// Width of an entry, including the room after it.
 fn entry_width(entry: &Entry) -> f64 {
     KEY + KEY_ROOM + text_width(&entry.1, TEXT) + ENTRY_ROOM
 }
 
-/// Entries in rows no wider than `width`, each group from a new row on.
+/// The entries in rows of at most `width`. Each group begins a new row.
 fn legend_rows(groups: &[Vec<Entry>], width: f64) -> Vec<Vec<&Entry>> {
     let mut rows = Vec::new();
     for group in groups {
@@ -51,7 +51,7 @@ fn legend_rows(groups: &[Vec<Entry>], width: f64) -> Vec<Vec<&Entry>> {
     rows
 }
 
-/// Height of a legend within `width`.
+/// Height of a legend of at most `width`.
 pub(crate) fn legend_height(groups: &[Vec<Entry>], width: f64) -> f64 {
     ENTRY_HEIGHT * legend_rows(groups, width).len() as f64 + 10.0
 }

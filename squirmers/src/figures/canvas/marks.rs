@@ -5,7 +5,7 @@ use maud::html;
 use super::{Canvas, px};
 use crate::figures::style::{Colour, Dash, INK, Shape, Stroke, WHITE};
 
-/// Points as a polyline or polygon lists them.
+/// Points as the text of a polyline or polygon.
 fn listed(points: &[(f64, f64)]) -> String {
     let places: Vec<_> = points
         .iter()
@@ -24,9 +24,9 @@ impl Canvas {
         });
     }
 
-    /// A marker about a place, filled or hollow.
+    /// A marker at a place, filled or hollow.
     pub(super) fn marker(&mut self, at: (f64, f64), colour: Colour, shape: Shape, filled: bool) {
-        // A white edge keeps markers apart that share a colour and a place.
+        // A white edge separates markers with the same colour and place.
         let (fill, edge) = if filled {
             (colour, WHITE)
         } else {
@@ -47,14 +47,14 @@ impl Canvas {
         self.draw(html! { circle cx=(px(x)) cy=(px(y)) r="2.6" fill=(colour) {} });
     }
 
-    /// A sphere seen from outside: what lies behind it shows through.
+    /// A transparent sphere.
     pub(super) fn sphere(&mut self, (x, y): (f64, f64), radius: f64, colour: Colour) {
         self.draw(html! {
             circle cx=(px(x)) cy=(px(y)) r=(px(radius)) fill=(colour) fill-opacity="0.14" stroke=(colour) {}
         });
     }
 
-    /// An arrow of a length along a vector `(along, up)`: a unit vector, or shorter if it points out of the plane.
+    /// An arrow along a vector `(along, up)`: a unit vector, or a shorter one if it points out of the plane.
     pub(super) fn arrow(
         &mut self,
         (x, y): (f64, f64),
@@ -62,7 +62,7 @@ impl Canvas {
         length: f64,
         colour: Colour,
     ) {
-        // Shares of the length, forward and to the left.
+        // Coordinates forward and to the left, as shares of the length.
         let at = |forward: f64, left: f64| {
             let (dx, dy) = (forward * along - left * up, forward * up + left * along);
             (x + length * dx, y - length * dy)

@@ -1,4 +1,4 @@
-//! The sheet of a picture: its size and title, places of panels, and texts; what is drawn on it in the modules below.
+//! The sheet of a picture: its size, title, places of panels, and texts. The modules below draw on it.
 //!
 //! Lengths are in pixels, x to the right and y downward from the upper left corner.
 
@@ -18,7 +18,7 @@ pub(super) use fill::{Map, MapCell, whole_side};
 pub(super) use legend::{Entry, Key, legend_height};
 pub(super) use panel::Panel;
 
-/// Size of tick labels, legends and axis titles; of the titles of panels, and of the picture's.
+/// Text sizes: of tick labels, legends and axis titles; of panel titles; of the title of the picture.
 pub(super) const TEXT: f64 = 12.0;
 const PANEL_TEXT: f64 = 13.0;
 const TITLE_TEXT: f64 = 16.0;
@@ -35,16 +35,16 @@ pub(super) const ABOVE: f64 = 30.0;
 /// Room right of a plot.
 pub(super) const RIGHT: f64 = 16.0;
 
-/// More room right of all: half of a label at the end of an axis.
+/// Additional room right of all panels: half of a label at the end of an axis.
 const EDGE: f64 = 8.0;
 
 /// Height of the picture's title.
 pub(super) const TITLE: f64 = 36.0;
 
-/// Estimated width of a character as a share of a text's size: there is no font to measure.
+/// Estimated width of a character as a share of the text size, because no font is available to measure.
 const CHARACTER: f64 = 0.55;
 
-/// A length as SVG writes it, to two decimals.
+/// A length as SVG text, with two decimals.
 fn px(length: f64) -> String {
     ((length * 100.0).round() / 100.0 + 0.0).to_string()
 }
@@ -54,22 +54,22 @@ fn text_width(text: &str, size: f64) -> f64 {
     CHARACTER * size * text.chars().count() as f64
 }
 
-/// How a text lies about its point.
+/// Position of a text relative to its point.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Anchor {
     Start,
     Middle,
     End,
-    /// Reading upward, and centred.
+    /// Centred, and reading upward.
     Upright,
 }
 
-/// Panels of one size in columns and rows below the picture's title.
+/// Panels of equal size in columns and rows below the title of the picture.
 pub(super) struct Layout {
     pub plot: (f64, f64),
     pub columns: usize,
     pub rows: usize,
-    /// More room left of all panels, and right of each one.
+    /// Additional room left of all panels, and right of each panel.
     pub left: f64,
     pub right: f64,
 }
@@ -101,7 +101,7 @@ impl Layout {
     }
 }
 
-/// A picture in the making.
+/// A picture that is being drawn.
 pub(super) struct Canvas {
     title: String,
     width: f64,
@@ -110,7 +110,7 @@ pub(super) struct Canvas {
 }
 
 impl Canvas {
-    /// A sheet under a `title`, which also names it to readers that cannot see it: of the given size, and a legend below.
+    /// A sheet of the given size with a title and a legend below. The `title` is also the text for screen readers.
     pub(super) fn new(title: &str, (width, top): (f64, f64), legend: &[Vec<Entry>]) -> Self {
         let width = (width + EDGE).round();
         let height = (top + legend_height(legend, width)).round();
@@ -146,7 +146,7 @@ impl Canvas {
         self.markup.push('\n');
     }
 
-    /// Writes a text about a point.
+    /// Writes a text at a point.
     pub(super) fn text(&mut self, text: &str, (x, y): (f64, f64), size: f64, anchor: Anchor) {
         if text.is_empty() {
             return;
@@ -157,14 +157,14 @@ impl Canvas {
             Anchor::End => Some("end"),
         };
         let turn = (anchor == Anchor::Upright).then(|| format!("rotate(-90 {} {})", px(x), px(y)));
-        // Digits and capitals are 0.7 of the size high.
+        // The height of digits and capitals is 0.7 of the text size.
         let foot = px(y + 0.35 * size);
         self.draw(html! {
             text x=(px(x)) y=(foot) font-size=(px(size)) text-anchor=[side] transform=[turn] fill=(INK) { (text) }
         });
     }
 
-    /// Writes a text about a point, smaller if it is longer than the room.
+    /// Writes a text at a point, in a smaller size if the text does not fit into the room.
     fn fitted(&mut self, text: &str, at: (f64, f64), size: f64, anchor: Anchor, room: f64) {
         let shrunk = size * (room / text_width(text, size)).min(1.0);
         self.text(text, at, shrunk, anchor);

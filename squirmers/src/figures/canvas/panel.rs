@@ -1,12 +1,12 @@
-//! What lies between the axes of a panel, in their units, as far as the panel shows it.
+//! Draws data in a panel, in the units of its axes. Data outside the axes are not drawn.
 
 use super::{Anchor, Axes, Axis, Canvas, Map, TEXT, text_width};
 use crate::figures::style::{Colour, Dash, Fill, INK, Shape, Stroke, WHITE};
 
-/// What an empty panel says.
+/// The text of an empty panel.
 const NO_DATA: &str = "no data";
 
-/// A plot in a picture: axes, and what lies between them.
+/// A plot in a picture: its axes and its data.
 pub(crate) struct Panel<'c> {
     pub(super) canvas: &'c mut Canvas,
     pub(super) x: Axis,
@@ -14,13 +14,13 @@ pub(crate) struct Panel<'c> {
     /// Upper left corner and size of the plot.
     pub(super) corner: (f64, f64),
     pub(super) size: (f64, f64),
-    /// Whether anything of the data has been drawn.
+    /// Whether any data have been drawn.
     is_filled: bool,
 }
 
 impl Canvas {
-    /// A panel whose plot has its upper left corner at `corner` and the given size; its titles and labels are beside it.
-    /// Where `paint` draws nothing it says so.
+    /// A panel whose plot has its upper left corner at `corner` and the given size. Titles and labels are outside the
+    /// plot. If `paint` draws no data, the panel shows "no data".
     pub(crate) fn panel(
         &mut self,
         corner: (f64, f64),
@@ -46,7 +46,7 @@ impl Canvas {
 }
 
 impl Panel<'_> {
-    /// An empty frame is no answer: it might be a fault of the picture.
+    /// Writes "no data" into an empty frame, because a reader could take an empty frame for an error.
     fn say_no_data(&mut self) {
         let ((left, top), (width, height)) = (self.corner, self.size);
         let middle = (left + 0.5 * width, top + 0.5 * height);
@@ -71,14 +71,14 @@ impl Panel<'_> {
         within(&self.x, x) && within(&self.y, y)
     }
 
-    /// Whether a mark at a point is to be drawn.
+    /// Whether to draw a mark at a point. If so, the panel is not empty.
     fn takes(&mut self, at: (f64, f64)) -> bool {
         let shows = self.shows(at, 0.0);
         self.is_filled |= shows;
         shows
     }
 
-    /// A line through points, as far as it lies in the plot; it breaks where a coordinate is no number.
+    /// A line through points, clipped to the plot. NaN coordinates interrupt the line.
     pub(crate) fn line(&mut self, points: &[(f64, f64)], stroke: Stroke) {
         let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
         let mut goes_on = false;
@@ -102,7 +102,7 @@ impl Panel<'_> {
         }
     }
 
-    /// A line through points that have no markers: one without neighbours is a dot.
+    /// A line through points without markers. A point without neighbours is a dot.
     pub(crate) fn path(&mut self, points: &[(f64, f64)], stroke: Stroke) {
         let is_finite = |p: &(f64, f64)| p.0.is_finite() && p.1.is_finite();
         for run in points.chunk_by(|a, b| is_finite(a) && is_finite(b)) {
@@ -117,7 +117,7 @@ impl Panel<'_> {
         }
     }
 
-    /// The line of zero, which is no data.
+    /// The line y = 0, which does not count as data.
     pub(crate) fn zero_line(&mut self) {
         if self.shows((self.x.range.start, 0.0), 0.0) {
             let ends = [self.x.range.start, self.x.range.end].map(|x| self.place((x, 0.0)));
@@ -125,8 +125,8 @@ impl Panel<'_> {
         }
     }
 
-    /// The shares of the way from `a` to `b` at which it enters and leaves the plot (Liang and
-    /// Barsky, 1984); none where one of them is no number.
+    /// The shares of the way from `a` to `b` at which the line enters and leaves the plot (Liang and Barsky, 1984);
+    /// `None` if the line is outside the plot or a coordinate is not finite.
     fn clip(&self, a: (f64, f64), b: (f64, f64)) -> Option<(f64, f64)> {
         let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
         for (from, to, range) in [(a.0, b.0, &self.x.range), (a.1, b.1, &self.y.range)] {
@@ -174,7 +174,7 @@ impl Panel<'_> {
         }
     }
 
-    /// A map over the whole plot; nothing where none of it is data.
+    /// A map over the whole plot. Draws nothing if no point is known.
     pub(crate) fn map(&mut self, map: &Map) {
         if map.is_data {
             self.is_filled = true;
@@ -182,7 +182,7 @@ impl Panel<'_> {
         }
     }
 
-    /// A bar from `low` to `high` along y, about a place along x.
+    /// A bar from `low` to `high` along y, centred at a place along x.
     pub(crate) fn bar(&mut self, (middle, width): (f64, f64), (low, high): (f64, f64), fill: Fill) {
         if low < high && self.takes((middle, 0.5 * (low + high))) {
             let (left, top) = self.place((middle - 0.5 * width, high));
@@ -192,7 +192,7 @@ impl Panel<'_> {
         }
     }
 
-    /// An arrow downward with the letter g, in the corner of the plot that the points leave most free.
+    /// An arrow downward with the letter g, in the corner of the plot that is farthest from the points.
     pub(crate) fn gravity(&mut self, points: &[(f64, f64)]) {
         const LENGTH: f64 = 24.0;
         let (left, right) = (self.corner.0 + 24.0, self.corner.0 + self.size.0 - 24.0);
@@ -282,10 +282,10 @@ mod tests {
             (0.8, 0.1),
         ];
         assert_eq!(lines(&gap), 2);
-        // Out through a point on the frame, and in again elsewhere.
+        // The line leaves through a point on the frame and enters again elsewhere.
         let away = [(0.5, 0.5), (1.0, 0.5), (2.0, 0.5), (2.0, 0.9), (0.5, 0.9)];
         assert_eq!(lines(&away), 2);
-        // Out between two points, and in again at once.
+        // The line leaves between two points and enters again at once.
         assert_eq!(lines(&[(0.5, 0.5), (2.0, 0.5), (0.5, 0.9)]), 2);
         assert_eq!(lines(&[(0.5, -f64::MAX), (0.5, f64::MAX)]), 0);
     }

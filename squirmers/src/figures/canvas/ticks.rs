@@ -1,24 +1,25 @@
-//! Ticks of an axis: round numbers, each with a label of its own that is short enough to be read.
+//! Ticks of an axis: round numbers with different, short labels.
 
 use std::ops::Range;
 
 use crate::figures::number::{exact, raised, signed};
 
-/// How an axis counts.
+/// Scale of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scale {
     Linear,
-    /// Its coordinates are logarithms to the base ten.
+    /// The coordinates are logarithms to the base ten.
     Powers,
 }
 
-/// Most characters of a label: longer ones leave a common power of ten, and then a common number, to the axis title.
+/// Largest number of characters of a label. For longer labels a common power of ten, and then a common number, is
+/// written in the axis title instead.
 pub(super) const LONGEST: usize = 7;
 
-/// Numbers from here on have a common power of ten.
+/// Numbers of at least this size have a common power of ten in the axis title.
 const LARGE: f64 = 1e6;
 
-/// Slack of a count of ticks: an end of the range that is a tick but for rounding is one.
+/// Tolerance for ticks at the ends of the range, so that rounding does not drop them.
 const SLACK: f64 = 1e-6;
 
 /// Ticks of an axis.
@@ -26,7 +27,7 @@ const SLACK: f64 = 1e-6;
 pub(super) struct Ticks {
     pub values: Vec<f64>,
     pub labels: Vec<String>,
-    /// What is to be added to the labels, once they have been multiplied by this power of ten.
+    /// A number to add to the labels, after they are multiplied by a power of ten.
     base: f64,
     power: i32,
 }
@@ -41,7 +42,7 @@ fn value(n: i64, exponent: i32) -> f64 {
     }
 }
 
-/// Labels of `(n - base) * 10^exponent`, and the power of ten that they leave out.
+/// Labels of `(n - base) * 10^exponent`, and the power of ten that is not in the labels.
 fn labels(ns: &[i64], base: i64, exponent: i32) -> (Vec<String>, i32) {
     let without = |power: i32| -> Vec<String> {
         let text = |n: &i64| signed(&value(n - base, exponent - power).to_string());
@@ -53,7 +54,7 @@ fn labels(ns: &[i64], base: i64, exponent: i32) -> (Vec<String>, i32) {
     if size == 0.0 || (size < LARGE && are_short(&plain)) {
         return (plain, 0);
     }
-    // The logarithm of a whole power may lie below it by rounding.
+    // By rounding, the logarithm of a power of ten may be slightly too small.
     let power = (size.log10() + 1e-9).floor() as i32;
     (without(power), power)
 }
@@ -67,8 +68,9 @@ fn are_short(labels: &[String]) -> bool {
 }
 
 impl Ticks {
-    /// The closest ticks over a range that can be drawn, no more than `most` and if possible two, in steps of one, two or
-    /// five. `fits` says whether labels of so many characters have room, the ticks a share of the axis apart.
+    /// The densest ticks of a range in steps of one, two or five: at most `most`, and at least two if possible. The
+    /// function `fits` says whether labels of a number of characters fit, for ticks at a distance given as a share of
+    /// the axis.
     pub(super) fn new(
         range: &Range<f64>,
         most: usize,
@@ -125,7 +127,7 @@ impl Ticks {
         }
     }
 
-    /// An axis title, `name (unit)`, that says what is to be done with the labels.
+    /// An axis title `name (unit)`, with the power of ten and the number that belong to all labels.
     pub(super) fn titled(&self, title: &str) -> String {
         let parts = title
             .strip_suffix(')')
@@ -156,7 +158,7 @@ mod tests {
         Ticks::new(&sound(range), 8, Scale::Linear, |_, _| true)
     }
 
-    /// What a reader makes of a label and the axis title.
+    /// The number that a reader computes from a label and the axis title.
     fn read(ticks: &Ticks, label: &str) -> f64 {
         let plain = |text: &str| -> f64 {
             let text = text.replace('\u{2212}', "-");

@@ -1,14 +1,14 @@
-//! What maps over the incoming angles and pairs under gravity come to.
+//! The findings from maps over the incoming angles and from pairs under gravity, in sentences.
 
 use super::{called, listed, number, percent, worst};
 use compare::Method;
 use compare::bottom_heavy::PanelRow;
 use compare::maps::{BoundRow, FateRow, TrustShares};
 
-/// Difference of two shares of the plane that is worth a sentence on the first screen.
+/// Smallest difference of two shares of the plane that the first screen mentions.
 const NOTEWORTHY: f64 = 0.05;
 
-/// Which pairs stay bound, model by model, where models differ much.
+/// Which pairs stay bound in each model, for those beta at which the models differ much.
 pub(in crate::report) fn of_bound(shares: &[FateRow]) -> String {
     let mut parts = Vec::new();
     let mut betas: Vec<f64> = shares.iter().map(|row| row.beta).collect();
@@ -54,7 +54,7 @@ fn bound_by(row: &FateRow) -> String {
     format!("{of} by {}", called(&row.method))
 }
 
-/// Where the bound share of two models differs most.
+/// The beta at which the shares of bound pairs by two models differ most.
 pub(in crate::report) fn of_fates(rows: &[FateRow]) -> String {
     let (exact, judged): (Vec<&FateRow>, Vec<&FateRow>) =
         (rows.iter()).partition(|row| row.method == Method::Exact.name());
@@ -84,7 +84,7 @@ pub(in crate::report) fn of_fates(rows: &[FateRow]) -> String {
     )
 }
 
-/// Over which share of the plane a model can be trusted.
+/// The share of the plane in which a model can be trusted.
 pub(in crate::report) fn of_trust(shares: &[TrustShares]) -> String {
     let methods = shares.chunk_by(|a, b| a.method == b.method);
     let sentences: Vec<String> = methods
@@ -108,7 +108,7 @@ pub(in crate::report) fn of_trust(shares: &[TrustShares]) -> String {
     sentences.join(" ")
 }
 
-/// What an offset out of the plane does to the outcomes of the pair that is judged worst in the plane.
+/// The effect of an offset out of the plane, for the beta whose outcomes in the plane agree least.
 pub(in crate::report) fn of_trust_against_offset(shares: &[TrustShares]) -> String {
     let in_plane = shares.iter().filter(|row| row.dz == 0.0);
     let Some(row) = worst(in_plane, |row| row.other_outcome) else {
@@ -122,7 +122,7 @@ pub(in crate::report) fn of_trust_against_offset(shares: &[TrustShares]) -> Stri
         return String::new();
     };
     format!(
-        "For β = {} {} has another outcome over {} of the plane; with an offset out of it over at most {} (δz = {}).",
+        "For β = {} {} has another outcome over {} of the plane; with an offset out of the plane over at most {} (δz = {}).",
         number(row.beta),
         called(&row.method),
         percent(row.other_outcome),
@@ -131,7 +131,7 @@ pub(in crate::report) fn of_trust_against_offset(shares: &[TrustShares]) -> Stri
     )
 }
 
-/// Which states attract, model by model.
+/// The states that attract, for each model.
 pub(in crate::report) fn of_states(states: &[BoundRow]) -> String {
     let stable: Vec<String> = (states.iter())
         .filter(|state| state.growth < 0.0 && !state.one_of_a_line)
@@ -147,18 +147,18 @@ pub(in crate::report) fn of_states(states: &[BoundRow]) -> String {
         })
         .collect();
     let mut text = if stable.is_empty() {
-        "No bound state attracts.".to_owned()
+        "No bound state is an attractor.".to_owned()
     } else {
         format!(
-            "Bound states that attract every small disturbance in the plane: {}. All others in the table are \
+            "Bound states in which every small disturbance in the plane decays: {}. All others in the table are \
              saddles, or neutral.",
             stable.join("; ")
         )
     };
     if let Some(line) = states.iter().find(|state| state.one_of_a_line) {
         text += &format!(
-            " Besides, {} has a line of neutral states, any two squirmers side by side in parallel at a gap of {}: \
-             its cut, where its loads have faded to those of lone squirmers. That is where its pullers swim together.",
+            " Besides, {} has a line of neutral states: any two parallel squirmers side by side at a gap of {}. This gap is \
+             the cut of the theory, where the loads become those of lone squirmers. Pullers swim together in these states.",
             called(&line.method),
             number((line.gap * 1e6).round() / 1e6)
         );
@@ -166,7 +166,7 @@ pub(in crate::report) fn of_states(states: &[BoundRow]) -> String {
     text
 }
 
-/// What exact hydrodynamics makes of the panels of Fig. 8, panel by panel.
+/// The outcome of each panel of Fig. 8 by each method.
 pub(in crate::report) fn panels(rows: &[PanelRow]) -> String {
     let mut names: Vec<&str> = rows.iter().map(|row| row.panel.as_str()).collect();
     names.sort_unstable();
@@ -177,7 +177,10 @@ pub(in crate::report) fn panels(rows: &[PanelRow]) -> String {
             if row.min_gap.is_finite() {
                 text += &format!(" (smallest gap {:.3}", row.min_gap);
                 if row.depth_ratio.is_finite() {
-                    text += &format!(", {:.2} times as far down as alone", row.depth_ratio);
+                    text += &format!(
+                        ", depth {:.2} times that of lone squirmers",
+                        row.depth_ratio
+                    );
                 }
                 text += ")";
             }
@@ -186,12 +189,12 @@ pub(in crate::report) fn panels(rows: &[PanelRow]) -> String {
         format!("({panel}) {}", by.collect::<Vec<_>>().join(", "))
     });
     format!(
-        "What becomes of the panels: {}.",
+        "Outcomes of the panels: {}.",
         parts.collect::<Vec<_>>().join("; ")
     )
 }
 
-/// How many panels of Fig. 8 end otherwise, and up to which bottom-heaviness pairs orbit.
+/// The number of panels of Fig. 8 with different outcomes, and the largest bottom-heaviness at which pairs orbit.
 pub(in crate::report) fn of_gravity(rows: &[PanelRow], orbits: &[FateRow]) -> String {
     let [lt, exact] = [Method::Lt, Method::Exact]
         .map(|method| (rows.iter().filter(|row| row.method == method.name())).collect::<Vec<_>>());
@@ -199,7 +202,7 @@ pub(in crate::report) fn of_gravity(rows: &[PanelRow], orbits: &[FateRow]) -> St
     if !lt.is_empty() && lt.len() == exact.len() {
         let otherwise = (lt.iter().zip(&exact)).filter(|(a, b)| a.outcome != b.outcome);
         text += &format!(
-            "Under gravity {} of the {} panels of Fig. 8 end otherwise by exact hydrodynamics than by lubrication \
+            "Under gravity {} of the {} panels of Fig. 8 have another outcome by exact hydrodynamics than by lubrication \
              theory. ",
             otherwise.count(),
             lt.len()
@@ -208,7 +211,7 @@ pub(in crate::report) fn of_gravity(rows: &[PanelRow], orbits: &[FateRow]) -> St
     text + &orbits_in_words(orbits)
 }
 
-/// Up to which bottom-heaviness pairs orbit, with the share of starts that do.
+/// The largest bottom-heaviness at which pairs orbit, with the share of starts that end in an orbit there.
 fn orbits_in_words(rows: &[FateRow]) -> String {
     let maps = rows.chunk_by(|a, b| a.method == b.method && (a.beta - b.beta) == 0.0);
     let parts: Vec<String> = maps
@@ -219,7 +222,7 @@ fn orbits_in_words(rows: &[FateRow]) -> String {
             } = row;
             let (beta, g, share) = (number(*beta), number(*g), percent(row.orbits()));
             Some(format!(
-                "β = {beta} by {} up to G = {g} ({share} there)",
+                "β = {beta} by {} up to G = {g} (share at this G: {share})",
                 called(method)
             ))
         })

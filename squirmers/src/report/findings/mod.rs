@@ -1,4 +1,4 @@
-//! What the page found, in sentences: every number in them is computed from the rows of their section.
+//! The findings of the page, in sentences. Every number in them is computed from the rows of a section.
 
 mod maps;
 
@@ -30,7 +30,7 @@ pub(super) fn percent(share: f64) -> String {
     format!("{:.1} %", 100.0 * share)
 }
 
-/// Names what a method is, within a sentence.
+/// The name of a method within a sentence.
 fn called(method: &str) -> &str {
     match Method::ALL.into_iter().find(|m| m.name() == method) {
         Some(Method::Lt) => "lubrication theory",
@@ -51,7 +51,7 @@ fn listed(parts: &[String]) -> String {
     }
 }
 
-/// The row with the largest of some errors, the first of equals; none if all are NaN.
+/// The row with the largest error; the first one of equal errors; `None` if all are NaN.
 fn worst<R>(rows: impl IntoIterator<Item = R>, error: impl Fn(&R) -> f64) -> Option<R> {
     (rows.into_iter())
         .filter(|row| !error(row).is_nan())
@@ -64,7 +64,7 @@ fn worst<R>(rows: impl IntoIterator<Item = R>, error: impl Fn(&R) -> f64) -> Opt
         })
 }
 
-/// How far lubrication theory and boundary elements are from the exact deflections.
+/// The errors of the deflections by lubrication theory and by boundary elements.
 pub(super) fn of_encounters(encounters: &[Encounter]) -> String {
     let all = comparison(encounters);
     let parted = format!("{0} / {0}", Outcome::Scattered);
@@ -77,7 +77,7 @@ pub(super) fn of_encounters(encounters: &[Encounter]) -> String {
             .filter(|row| row.lt_deg.abs().min(row.exact_deg.abs()) > 0.05)
             .filter(|row| row.lt_deg * row.exact_deg < 0.0);
         sentences.push(format!(
-            "Lubrication theory is up to {} off ({}: {} instead of {}) and turns {} of {} squirmers the wrong way.",
+            "Deflections by lubrication theory are wrong by up to {} ({}: {} instead of {}); {} of {} squirmers turn the wrong way.",
             degrees(row.lt_error_deg.abs(), 1),
             place(row),
             degrees(row.lt_deg, 1),
@@ -91,7 +91,7 @@ pub(super) fn of_encounters(encounters: &[Encounter]) -> String {
         && let Some((judged, exact)) = row.outcomes.split_once(" / ")
     {
         sentences.push(format!(
-            "{} of {} pairs end otherwise than by exact hydrodynamics ({}: {} instead of {}).",
+            "{} of {} pairs have another outcome than by exact hydrodynamics ({}: {} instead of {}).",
             pairs(&otherwise),
             pairs(&otherwise) + pairs(&alike),
             place(row),
@@ -101,7 +101,7 @@ pub(super) fn of_encounters(encounters: &[Encounter]) -> String {
     }
     if let Some(row) = worst(alike.iter().chain(&otherwise), |row| row.bem_error_deg) {
         sentences.push(format!(
-            "Boundary elements are within {}.",
+            "Deflections by boundary elements are within {}.",
             degrees(row.bem_error_deg.abs(), 3)
         ));
     }
@@ -112,7 +112,7 @@ fn place(row: &ComparisonRow) -> String {
     format!("β = {}, δx = {}", number(row.beta), number(row.dx))
 }
 
-/// How much an offset out of the plane changes.
+/// The largest changes by an offset out of the plane.
 pub(super) fn of_offsets(rows: &[OffsetRow]) -> String {
     let method = if rows.iter().any(|row| row.method == Method::Exact.name()) {
         Method::Exact.name()
@@ -148,10 +148,10 @@ pub(super) fn of_offsets(rows: &[OffsetRow]) -> String {
     )
 }
 
-/// Gap at which the errors of loads are summed up, in radii.
+/// Gap of the sentence about errors of loads, in radii.
 const STATED_GAP: f64 = 0.01;
 
-/// The worst load of each method at one gap.
+/// The load with the largest error, for each method, at one gap.
 pub(super) fn of_loads(rows: &[LoadErrorRow]) -> String {
     let at_gap: Vec<&LoadErrorRow> = (rows.iter())
         .filter(|row| (row.gap / STATED_GAP).ln().abs() < 1e-9)
@@ -171,16 +171,16 @@ pub(super) fn of_loads(rows: &[LoadErrorRow]) -> String {
         return String::new();
     }
     format!(
-        "At a gap of {} radii the worst load is off by {}.",
+        "At a gap of {} radii the largest error of a load is {}.",
         number(STATED_GAP),
         listed(&parts)
     )
 }
 
-/// Gaps between which slopes in the logarithm of the gap are taken, in radii.
+/// Gaps for the slopes in the logarithm of the gap, in radii.
 const SLOPE_GAPS: [f64; 2] = [1e-6, 1e-7];
 
-/// The slopes in ln(1/gap) of the axial squirming force of a squirmer's own first two modes.
+/// Slopes in ln(1/gap) of the axial force on a squirmer by its own squirming modes 1 and 2.
 fn axial_slopes(model: &dyn Hydrodynamics) -> Result<[f64; 2], SceneError> {
     let set = LoadSet::all(2);
     let named =
@@ -201,7 +201,7 @@ pub(super) fn slopes<'a>(
 ) -> Result<String, SceneError> {
     let mut parts = Vec::new();
     for (method, model) in models {
-        // A model that does not answer so near to contact has no slope there.
+        // A model whose range ends at larger gaps has no slope here.
         if model.range().check(Gap::new(SLOPE_GAPS[1])?).is_ok() {
             let [first, second] = axial_slopes(model)?;
             let name = called(method.name());
@@ -210,15 +210,15 @@ pub(super) fn slopes<'a>(
     }
     Ok(format!(
         "As the gap closes, the axial squirming force XF grows as ln(1/ε). Between gaps of {} and {} its slope for the \
-         modes 1 and 2 is {}. No net flux through the gap gives 3. The constant next to the logarithm, which \
-         lubrication theory leaves out, is the rest of the error.",
+         modes 1 and 2 is {}. The condition of no net flux through the gap gives 3. The rest of the error is the constant \
+         next to the logarithm, which lubrication theory leaves out.",
         number(SLOPE_GAPS[0]),
         number(SLOPE_GAPS[1]),
         listed(&parts)
     ))
 }
 
-/// What a better answer costs.
+/// The cost of a better answer.
 pub(super) fn of_cost(found: &[Finding]) -> String {
     let measured = |name: &str| {
         (found.iter().find(|finding| finding.finding == name))
