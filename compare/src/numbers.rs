@@ -155,8 +155,10 @@ fn range(from: f64, to: f64, step: f64, numbers: &mut Vec<f64>) -> Result<(), St
 /// `count` numbers whose logarithms are evenly spread.
 fn logarithmic(from: f64, to: f64, count: usize, numbers: &mut Vec<f64>) -> Result<(), String> {
     let range = || format!("{}:{}:log:{count}", written(from), written(to));
-    // Both ends have the same sign.
-    if from * to <= 0.0 || !(to / from).is_finite() {
+    let sign = from.signum();
+    // The ratio of the ends may be too large a number.
+    let [first, last] = [from, to].map(|end| (sign * end).log10());
+    if !(first.is_finite() && last.is_finite()) {
         return Err(format!(
             "range {} has no logarithms: both ends must be greater than 0, or both less",
             range()
@@ -168,12 +170,12 @@ fn logarithmic(from: f64, to: f64, count: usize, numbers: &mut Vec<f64>) -> Resu
             range()
         ));
     }
-    let decades = (to / from).log10();
     numbers.extend((0..count).map(|i| match i {
         0 => from,
         i if i + 1 == count => to,
         i => {
-            let value = from * 10_f64.powf(decades * i as f64 / (count - 1) as f64);
+            let share = i as f64 / (count - 1) as f64;
+            let value = sign * 10_f64.powf(first + (last - first) * share);
             as_typed(value, value)
         }
     }));

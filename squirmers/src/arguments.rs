@@ -17,7 +17,7 @@ use compare::output::OutputFolder;
 /// Two squirming spheres in a Stokes fluid: lubrication theory against full hydrodynamics.
 ///
 /// Lengths are in sphere radii a, times in a/V_s, angles in degrees. Lists are numbers with commas,
-/// ranges a:b:step and logarithmic ranges a:b:log:count. Each command writes DIR/<command>.csv and its pictures.
+/// ranges a:b:step and logarithmic ranges a:b:log:count. Each command writes DIR/COMMAND.csv and its pictures.
 #[derive(Debug, Parser)]
 #[command(
     name = "squirmers",

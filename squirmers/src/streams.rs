@@ -32,7 +32,7 @@ pub(crate) fn write_error(text: Arguments<'_>) {
 /// Reports the first error of standard output.
 ///
 /// # Errors
-/// [`CommandError::Write`] if there was one.
+/// [`CompareError::Write`] if there was one.
 pub(crate) fn refused() -> Result<(), CommandError> {
     let refused = REFUSED
         .lock()

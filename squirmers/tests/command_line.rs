@@ -88,7 +88,7 @@ fn mesh_levels_and_threads_out_of_range_are_refused() {
         "'-1' is not a level",
     );
     let unused = ["loads", "--gap", "1", "--method", "lt", "--mesh", "2"];
-    refused(&unused, "no boundary elements run");
+    refused(&unused, "no method uses boundary elements");
     refused(&["loads", "--gap", "1", "--threads", "0"], "'0'");
     refused(&["head-on", "--time-limit", "-3"], "-3");
 }
