@@ -8,12 +8,35 @@ use clap::error::ErrorKind;
 
 use compare::{CompareError, watch};
 
-use crate::arguments::Arguments;
-use crate::commands;
+use crate::arguments::GeneralArguments;
+use crate::commands::{self, Command};
 use crate::error::CommandError;
 use crate::interrupt;
 use crate::progress::OnStandardError;
 use crate::streams::{complain, refused, write_out};
+
+/// Two squirming spheres in a Stokes fluid: lubrication theory against full hydrodynamics.
+///
+/// Lengths are in sphere radii a, times in a/V_s, angles in degrees. Lists are numbers with commas,
+/// ranges a:b:step and logarithmic ranges a:b:log:count. Each command writes DIR/COMMAND.csv and its pictures.
+#[derive(Debug, Parser)]
+#[command(
+    name = "squirmers",
+    version,
+    arg_required_else_help = true,
+    subcommand_required = true,
+    after_help = "Example:\n  squirmers report --out out      every comparison, as one web page\n\n\
+        Exit status: 0 done; 1 a run failed or a bound is broken; 2 bad input or output place;\n\
+        75 stopped by --time-limit, and the same command continues; 130 interrupted.\n\n\
+        Interrupts (Ctrl-C): maps and sweeps finish and keep their current pieces, and the same\n\
+        command continues with the rest; a second interrupt ends the command at once."
+)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+    #[command(flatten)]
+    pub general: GeneralArguments,
+}
 
 /// Runs the command line `arguments` (the program's name first).
 ///
@@ -34,9 +57,9 @@ where
     let typed: Vec<_> = (arguments.iter().skip(1))
         .map(|argument| argument.to_string_lossy().into_owned())
         .collect();
-    let done = set_threads(parsed.threads)
-        .and_then(|()| check_cache(&parsed))
-        .and_then(|()| commands::run(&parsed, &typed));
+    let done = set_threads(parsed.general.threads)
+        .and_then(|()| check_cache(&parsed.general))
+        .and_then(|()| commands::run(&parsed.command, &parsed.general, &typed));
     ended(done.and_then(|()| refused()))
 }
 
@@ -83,7 +106,7 @@ fn refuse(error: &clap::Error) -> ExitCode {
 }
 
 /// Refuses a file in place of the cache folder, because tables could not be kept in it.
-fn check_cache(arguments: &Arguments) -> Result<(), CommandError> {
+fn check_cache(arguments: &GeneralArguments) -> Result<(), CommandError> {
     match &arguments.cache {
         Some(path) if path.exists() && !path.is_dir() => {
             let allowed = "it is not a folder: give a folder, or leave this option out";

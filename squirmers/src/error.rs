@@ -4,11 +4,13 @@ use compare::{CompareError, FailureKind};
 use scene::SceneError;
 
 use crate::figures::FigureError;
-use crate::interrupt;
 
 /// Exit status of a command that the time limit stopped. This is the usual status (EX_TEMPFAIL) of a failure that
 /// ends after the command is repeated.
 const STOPPED: u8 = 75;
+
+/// Exit status of a command that was interrupted.
+pub(crate) const INTERRUPTED: u8 = 130;
 
 /// Everything that can make a command fail, with its message.
 #[derive(Debug, thiserror::Error)]
@@ -56,7 +58,7 @@ impl CommandError {
             FailureKind::Input => 2,
             FailureKind::Computation => 1,
             FailureKind::Stopped => STOPPED,
-            FailureKind::Interrupted => interrupt::STATUS,
+            FailureKind::Interrupted => INTERRUPTED,
         }
     }
 }

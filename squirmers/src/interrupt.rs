@@ -3,11 +3,9 @@
 
 use compare::watch;
 
+use crate::error::INTERRUPTED;
 use crate::progress;
 use crate::streams::complain;
-
-/// Exit status of a command that was interrupted.
-pub(crate) const STATUS: u8 = 130;
 
 /// Installs the handler of interrupts.
 pub(crate) fn listen() {
@@ -15,7 +13,7 @@ pub(crate) fn listen() {
     // that is sent to such a command is intended. If the system refuses the handler, an interrupt ends the command.
     let _ = ctrlc::set_handler(|| {
         if watch::request_stop() {
-            std::process::exit(STATUS.into());
+            std::process::exit(INTERRUPTED.into());
         }
         progress::aside(|| {
             if watch::keeps_pieces() {
@@ -25,7 +23,7 @@ pub(crate) fn listen() {
             } else {
                 let left = watch::left().map_or(String::new(), |left| format!(": {left}"));
                 complain!("interrupted{left}");
-                std::process::exit(STATUS.into());
+                std::process::exit(INTERRUPTED.into());
             }
         });
     });

@@ -9,7 +9,7 @@ use scene::{
 };
 
 use super::rows::larger;
-use super::{Bench, Rows, SIZE, oscillation, stepping_error, until};
+use super::{Bench, Rows, SIZE, stepping_error, until};
 use crate::maps::Pair;
 use crate::{CompareError, Defaults, Method, Model};
 
@@ -26,7 +26,6 @@ pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
     for model in bench.only(&[Method::Lt]) {
         rows.attempt(model.method().name(), "rest", |rows| rest(model, rows));
     }
-    oscillation::cases(bench, rows);
 }
 
 /// A stable orbit. In three dimensions it is integrated to the end. In the plane the run finds the steady state and

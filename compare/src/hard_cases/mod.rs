@@ -81,6 +81,12 @@ impl Group {
     }
 }
 
+/// The cases of long runs: orbits and rest, then oscillations.
+fn orbits_and_oscillations(bench: &Bench, rows: &mut Rows) {
+    long_runs::cases(bench, rows);
+    oscillation::cases(bench, rows);
+}
+
 /// All groups.
 pub static GROUPS: [Group; 10] = [
     Group {
@@ -111,7 +117,7 @@ pub static GROUPS: [Group; 10] = [
     Group {
         name: "long runs",
         hazard: "small errors add up: phase, symmetry and period drift",
-        run: long_runs::cases,
+        run: orbits_and_oscillations,
     },
     Group {
         name: "out of plane",

@@ -17,7 +17,7 @@ use winnow::{Parser, Stateful};
 
 use super::functions::{FUNCTIONS, Function, function};
 use super::mistakes::unknown;
-use super::parameters::Scope;
+use super::scope::Scope;
 use crate::numbers::point_hint;
 
 /// Longest expression, in bytes, and most brackets within one another: the parser's recursion must fit a thread's stack.

@@ -6,9 +6,10 @@ use toml::de::DeTable;
 use super::effects::{self, Hydrodynamics, RepulsionTemplate};
 use super::mistakes::{Mistakes, Notes};
 use super::number::{List, Reader};
-use super::parameters::{self, Parameter, Scope};
+use super::parameters::{self, Parameter};
 use super::point::Point;
 use super::run::{self, RunTemplate};
+use super::scope::Scope;
 use super::squirmers::{self, SquirmerTemplate};
 use super::table::Table;
 

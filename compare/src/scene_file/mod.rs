@@ -13,6 +13,7 @@ mod paper;
 mod parameters;
 mod point;
 mod run;
+mod scope;
 mod squirmers;
 mod table;
 

@@ -6,8 +6,14 @@ use toml::de::DeValue;
 
 use super::expression::{Expression, Fault};
 use super::mistakes::Notes;
-use super::parameters::Scope;
-use super::table::Entry;
+use super::scope::Scope;
+
+/// A value with its full key.
+pub(super) struct Entry<'a, 'i> {
+    pub key: String,
+    pub span: Range<usize>,
+    pub value: &'a DeValue<'i>,
+}
 
 /// What is noted and known while a file is read.
 pub(super) struct Reader<'t> {

@@ -5,14 +5,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::number::{FINITE, List, Number, Reader, Rule};
-
-/// A value with its full key.
-pub(super) struct Entry<'a, 'i> {
-    pub key: String,
-    pub span: Range<usize>,
-    pub value: &'a DeValue<'i>,
-}
+use super::number::{Entry, FINITE, List, Number, Reader, Rule};
 
 /// A table, where it stands, and the keys that were asked for.
 pub(super) struct Table<'a, 'i> {

@@ -3,8 +3,8 @@
 use clap::Arg;
 
 use super::maps::METHODS;
-use super::{model_options, set_up, sweep_options};
-use crate::arguments::{Arguments, ModelArguments, RunArguments};
+use super::shared::{model_options, set_up, sweep_options};
+use crate::arguments::{GeneralArguments, ModelArguments, RunArguments};
 use crate::error::CommandError;
 use crate::pictures;
 use crate::streams::complain;
@@ -26,7 +26,7 @@ pub(crate) fn time_limit(arg: Arg) -> Arg {
 pub(super) fn run(
     models: &ModelArguments,
     runs: &RunArguments,
-    general: &Arguments,
+    general: &GeneralArguments,
 ) -> Result<(), CommandError> {
     let (methods, options) = model_options(models, &METHODS, general)?;
     let sweep = sweep_options(runs)?;

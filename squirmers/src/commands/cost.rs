@@ -6,7 +6,7 @@ use bem::Bem;
 use clap::Args;
 use scene::{Gap, LoadSet};
 
-use crate::arguments::Arguments;
+use crate::arguments::GeneralArguments;
 use crate::error::CommandError;
 use crate::figures::{deflections_work_precision, loads_work_precision};
 use crate::streams::{say, write_out};
@@ -41,7 +41,7 @@ pub(crate) struct CostArguments {
 
 pub(super) fn run(
     arguments: &CostArguments,
-    general: &Arguments,
+    general: &GeneralArguments,
     typed: &[String],
 ) -> Result<(), CommandError> {
     let target = parse_target(&arguments.target)?;

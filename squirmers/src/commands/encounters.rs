@@ -5,8 +5,8 @@ use compare::numbers::{Numbers, rounded, written};
 use compare::{Approach, Case, Defaults, EncounterRow, Method, sweep};
 
 use super::many::{PRINTED, checked_count, drop_undrawn, keep_first, print_rest, say_undrawn};
-use super::{model_options, set_up, sweep_options};
-use crate::arguments::{Arguments, EncounterArguments, ModelArguments, RunArguments};
+use super::shared::{model_options, set_up, sweep_options};
+use crate::arguments::{EncounterArguments, GeneralArguments, ModelArguments, RunArguments};
 use crate::error::CommandError;
 use crate::pictures;
 use crate::terminal::print_rows;
@@ -14,7 +14,7 @@ use crate::terminal::print_rows;
 pub(super) fn encounters(
     approach: Approach,
     arguments: &EncounterArguments,
-    general: &Arguments,
+    general: &GeneralArguments,
 ) -> Result<(), CommandError> {
     let (methods, options) = model_options(&arguments.models, &Method::DEFAULT, general)?;
     let sweep = sweep_options(&arguments.runs)?;
@@ -89,7 +89,7 @@ pub(super) fn offset(
     dz: Option<&Numbers>,
     models: &ModelArguments,
     runs: &RunArguments,
-    general: &Arguments,
+    general: &GeneralArguments,
 ) -> Result<(), CommandError> {
     let (methods, options) = model_options(models, &Method::DEFAULT, general)?;
     let sweep = sweep_options(runs)?;

@@ -3,7 +3,7 @@
 use clap::Args;
 use comfy_table::Table;
 
-use crate::arguments::Arguments;
+use crate::arguments::GeneralArguments;
 use crate::error::CommandError;
 use crate::progress;
 use crate::streams::say;
@@ -49,7 +49,10 @@ fn parse_groups(text: &str) -> Result<Groups, String> {
     ))
 }
 
-pub(super) fn run(arguments: &HardCaseArguments, general: &Arguments) -> Result<(), CommandError> {
+pub(super) fn run(
+    arguments: &HardCaseArguments,
+    general: &GeneralArguments,
+) -> Result<(), CommandError> {
     let mut options = ModelOptions::default();
     if let Some(cache) = &general.cache {
         options.cache = Some(cache.clone());

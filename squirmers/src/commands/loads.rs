@@ -5,8 +5,8 @@ use scene::{Gap, Hydrodynamics, LoadSet};
 use serde::Serialize;
 
 use super::many::{PRINTED, print_rest};
-use super::model_options;
-use crate::arguments::{Arguments, ModelArguments};
+use super::shared::model_options;
+use crate::arguments::{GeneralArguments, ModelArguments};
 use crate::error::CommandError;
 use crate::terminal::print_rows;
 use compare::numbers::{rounded, size, written};
@@ -38,7 +38,7 @@ pub(super) fn run(
     gaps: &Numbers,
     set: LoadSet,
     arguments: &ModelArguments,
-    general: &Arguments,
+    general: &GeneralArguments,
 ) -> Result<(), CommandError> {
     let (methods, mut options) = model_options(arguments, &Method::DEFAULT, general)?;
     options.tabulated = set;

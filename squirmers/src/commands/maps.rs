@@ -2,8 +2,8 @@
 
 use clap::{Arg, Args};
 
-use super::{model_options, set_up, sweep_options};
-use crate::arguments::{Arguments, ModelArguments, RunArguments};
+use super::shared::{model_options, set_up, sweep_options};
+use crate::arguments::{GeneralArguments, ModelArguments, RunArguments};
 use crate::error::CommandError;
 use crate::pictures::{self, Picture};
 use crate::streams::say;
@@ -98,7 +98,7 @@ fn checked(
     arguments: &MapArguments,
     beta: &[f64],
     dz: &Option<Numbers>,
-    general: &Arguments,
+    general: &GeneralArguments,
 ) -> Result<Checked, CommandError> {
     let (methods, options) = model_options(&arguments.models, &METHODS, general)?;
     let sweep = sweep_options(&arguments.runs)?;
@@ -128,7 +128,10 @@ fn checked(
 /// Squirmer parameters of the paper's Figs 2-4.
 pub(crate) const SCATTER_BETA: [f64; 5] = [0.0, 1.0, 5.0, -1.0, -5.0];
 
-pub(super) fn scatter(arguments: &MapArguments, general: &Arguments) -> Result<(), CommandError> {
+pub(super) fn scatter(
+    arguments: &MapArguments,
+    general: &GeneralArguments,
+) -> Result<(), CommandError> {
     let run = checked(arguments, &SCATTER_BETA, &None, general)?;
     let mut shares = Vec::new();
     run.maps("scatter", None)
@@ -142,7 +145,10 @@ pub(super) fn scatter(arguments: &MapArguments, general: &Arguments) -> Result<(
     Ok(run.out.account().verdict()?)
 }
 
-pub(super) fn fates(arguments: &MapArguments, general: &Arguments) -> Result<(), CommandError> {
+pub(super) fn fates(
+    arguments: &MapArguments,
+    general: &GeneralArguments,
+) -> Result<(), CommandError> {
     let beta: Vec<f64> = (-10..=10).map(f64::from).collect();
     let run = checked(arguments, &beta, &None, general)?;
     let Some(rows) = run.maps("fates", None).fates()? else {
@@ -154,7 +160,10 @@ pub(super) fn fates(arguments: &MapArguments, general: &Arguments) -> Result<(),
     Ok(run.out.account().verdict()?)
 }
 
-pub(super) fn trust(arguments: &TrustArguments, general: &Arguments) -> Result<(), CommandError> {
+pub(super) fn trust(
+    arguments: &TrustArguments,
+    general: &GeneralArguments,
+) -> Result<(), CommandError> {
     let mut run = checked(&arguments.map, &SCATTER_BETA, &arguments.dz, general)?;
     let exact = run.models.iter().position(|m| m.method() == Method::Exact);
     let exact = exact.map(|place| run.models.remove(place));

@@ -1,29 +1,139 @@
 //! The commands: from arguments to files.
 
 pub(crate) mod bottom_heavy;
-pub(crate) mod cost;
+mod cost;
 pub(crate) mod encounters;
-pub(crate) mod hard_cases;
+mod hard_cases;
 mod loads;
 mod many;
 pub(crate) mod maps;
-pub(crate) mod scene;
-pub(crate) mod sweep;
+mod scene;
+mod shared;
+mod sweep;
 
-use std::time::Duration;
+use ::scene::LoadSet;
+use clap::Subcommand;
+use compare::numbers::{Numbers, parse_numbers, parse_whole};
+use compare::{Approach, Method};
 
-use ::scene::{LoadSet, MAX_MODES, RunOptions};
-use compare::scene_file::SAMPLE_INTERVAL;
-use compare::sweep::SweepOptions;
-use compare::{Approach, Method, Model, ModelOptions};
-
-use crate::arguments::{Arguments, Command, LimitArguments, ModelArguments, RunArguments};
+use crate::arguments::{EncounterArguments, GeneralArguments, ModelArguments, RunArguments};
 use crate::error::CommandError;
 use crate::report;
 use crate::streams::say;
+use cost::CostArguments;
+use hard_cases::HardCaseArguments;
+use maps::{MapArguments, TrustArguments};
+use shared::{highest, model_options, sweep_options};
+use sweep::{MergeArguments, SweepArguments};
 
-pub(crate) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), CommandError> {
-    match &arguments.command {
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Loads of the pair at given gaps: resistance scalars, and loads of squirming and swirl modes
+    #[command(
+        after_help = "Example:\n  squirmers loads --gap 1,0.1,0.01 --method lt,bem --direct\n  \
+                            squirmers loads --gap 0.1 --modes 3 --swirl 2 --method exact --direct"
+    )]
+    Loads {
+        /// Gaps eps = |x2-x1|/a - 2, each greater than 0
+        #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
+        gap: Numbers,
+        /// Highest squirming mode
+        #[arg(long, value_name = "N", default_value_t = 2, value_parser = parse_whole, allow_hyphen_values = true)]
+        modes: usize,
+        /// Highest swirl mode; 0 for none
+        #[arg(long, value_name = "N", default_value_t = 0, value_parser = parse_whole, allow_hyphen_values = true)]
+        swirl: usize,
+        #[command(flatten)]
+        models: ModelArguments,
+    },
+    /// Opposed approach (Fig. 6): from (-dx/2, 5) downwards and (dx/2, -5) upwards
+    #[command(after_help = "Example:\n  squirmers head-on --beta 5 --dx 1,2,3,5,10 --method lt")]
+    HeadOn(EncounterArguments),
+    /// Approach at right angles (Fig. 7): from (0, 10) along x and (10 - dx, 0) along y
+    #[command(after_help = "Example:\n  squirmers orthogonal --beta -1,1,5 --dx 1,2,3,5")]
+    Orthogonal(EncounterArguments),
+    /// Change of the outgoing angles by an offset out of the plane (Fig. 5b)
+    #[command(after_help = "Example:\n  squirmers offset --dz 0:0.5:0.1 --method lt,bem")]
+    Offset {
+        /// Offsets: squirmer 1 starts at z = dz/2, squirmer 2 at z = -dz/2 [default: the paper's]
+        #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
+        dz: Option<Numbers>,
+        #[command(flatten)]
+        models: ModelArguments,
+        #[command(flatten)]
+        runs: RunArguments,
+    },
+    /// What accuracy costs in time: loads, deflections, scaling, and the cheapest method for a target
+    #[command(after_help = "Example:\n  squirmers cost --target 0.1deg --quick")]
+    Cost(CostArguments),
+    /// Maps over the incoming angles (Figs 2-4): deflections, interaction time tau, outcome
+    #[command(after_help = "Example:\n  squirmers scatter --beta 5 --grid 100 --g 0")]
+    #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
+    #[command(mut_arg("time_limit", maps::time_limit))]
+    Scatter(MapArguments),
+    /// Share of each outcome as a function of beta (Fig. 5a) and bottom-heaviness (Fig. 8g)
+    #[command(after_help = "Example:\n  squirmers fates --beta -10:10:1 --g 0 --method lt")]
+    #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
+    #[command(mut_arg("time_limit", maps::time_limit))]
+    Fates(MapArguments),
+    /// Bottom-heavy squirmers under gravity (Fig. 8a-f): trajectories of the six panels
+    #[command(after_help = "Example:\n  squirmers bottom-heavy --method lt,exact,bem")]
+    #[command(
+        mut_arg("method", maps::methods),
+        mut_arg("time_limit", bottom_heavy::time_limit)
+    )]
+    BottomHeavy {
+        #[command(flatten)]
+        models: ModelArguments,
+        #[command(flatten)]
+        runs: RunArguments,
+    },
+    /// Map of the incoming angles where lubrication theory and exact hydrodynamics disagree
+    #[command(after_help = "Example:\n  squirmers trust --beta 5 --grid 100")]
+    #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
+    #[command(mut_arg("time_limit", maps::time_limit))]
+    Trust(TrustArguments),
+    /// One scene from its file: trajectory, picture, summary
+    #[command(
+        after_help = "Example:\n  squirmers run fixtures/scenes/fig6-head-on-dx1.toml --out out"
+    )]
+    Run(scene::RunArguments),
+    /// What is computed for a scene and what is not, the reasons, and the cost
+    #[command(after_help = "Example:\n  squirmers explain fixtures/scenes/fig8e-downward.toml")]
+    Explain(scene::ExplainArguments),
+    /// Numerically hard cases, each compared with a bound; exit status 1 if a bound is broken
+    #[command(after_help = "Example:\n  squirmers hard-cases --only contact,long-runs")]
+    HardCases(HardCaseArguments),
+    /// Sweep of a family of scenes along any of its parameters: one row for each scene and model
+    #[command(
+        after_help = "Example:\n  squirmers sweep opposed --vary beta=-5,0,5 --vary dx=0.5:3:0.5 --method lt,exact\n  \
+                            squirmers sweep mine.toml --vary kappa=1:100:log:9 --partition 2/7 --out share-2"
+    )]
+    #[command(
+        mut_arg("method", sweep::methods),
+        mut_arg("time_limit", sweep::time_limit)
+    )]
+    Sweep(SweepArguments),
+    /// Merge the shares of a sweep into the file of the whole sweep
+    #[command(after_help = "Example:\n  squirmers merge share-1 share-2 share-3 --out whole")]
+    Merge(MergeArguments),
+    /// All comparisons for the paper's cases, in one self-contained index.html
+    #[command(after_help = "Example:\n  squirmers report --out out && xdg-open out/index.html")]
+    Report {
+        #[command(flatten)]
+        models: ModelArguments,
+        #[command(flatten)]
+        runs: RunArguments,
+    },
+}
+
+/// Runs a command; `typed` is the command line, for the page and the notes on costs.
+pub(crate) fn run(
+    command: &Command,
+    general: &GeneralArguments,
+    typed: &[String],
+) -> Result<(), CommandError> {
+    match command {
         Command::Loads {
             gap,
             modes,
@@ -32,116 +142,30 @@ pub(crate) fn run(arguments: &Arguments, typed: &[String]) -> Result<(), Command
         } => {
             let set = LoadSet::all(highest("--modes", *modes)?);
             let set = set.with_swirl(highest("--swirl", *swirl)?);
-            loads::run(gap, set, models, arguments)
+            loads::run(gap, set, models, general)
         }
-        Command::HeadOn(given) => encounters::encounters(Approach::HeadOn, given, arguments),
-        Command::Orthogonal(given) => {
-            encounters::encounters(Approach::Orthogonal, given, arguments)
-        }
+        Command::HeadOn(given) => encounters::encounters(Approach::HeadOn, given, general),
+        Command::Orthogonal(given) => encounters::encounters(Approach::Orthogonal, given, general),
         Command::Offset { dz, models, runs } => {
-            encounters::offset(dz.as_ref(), models, runs, arguments)
+            encounters::offset(dz.as_ref(), models, runs, general)
         }
-        Command::Cost(cost) => cost::run(cost, arguments, typed),
-        Command::Scatter(map) => maps::scatter(map, arguments),
-        Command::Fates(map) => maps::fates(map, arguments),
-        Command::BottomHeavy { models, runs } => bottom_heavy::run(models, runs, arguments),
-        Command::HardCases(cases) => hard_cases::run(cases, arguments),
-        Command::Trust(map) => maps::trust(map, arguments),
-        Command::Run(run) => scene::run(run, arguments),
-        Command::Explain(explain) => scene::explain(explain, arguments),
-        Command::Sweep(given) => sweep::run(given, arguments),
-        Command::Merge(given) => sweep::merge(given, arguments),
+        Command::Cost(cost) => cost::run(cost, general, typed),
+        Command::Scatter(map) => maps::scatter(map, general),
+        Command::Fates(map) => maps::fates(map, general),
+        Command::BottomHeavy { models, runs } => bottom_heavy::run(models, runs, general),
+        Command::HardCases(cases) => hard_cases::run(cases, general),
+        Command::Trust(map) => maps::trust(map, general),
+        Command::Run(run) => scene::run(run, general),
+        Command::Explain(explain) => scene::explain(explain, general),
+        Command::Sweep(given) => sweep::run(given, general),
+        Command::Merge(given) => sweep::merge(given, general),
         Command::Report { models, runs } => {
-            let (methods, options) = model_options(models, &Method::DEFAULT, arguments)?;
+            let (methods, options) = model_options(models, &Method::DEFAULT, general)?;
             let sweep = sweep_options(runs)?;
-            let out = arguments.output()?;
+            let out = general.output()?;
             let path = report::write(&methods, &options, &sweep, &out, typed)?;
             say!("{}", path.display());
             Ok(out.account().verdict()?)
         }
     }
-}
-
-/// The checked methods, or `default` if the user names none, and their options.
-pub(super) fn model_options(
-    arguments: &ModelArguments,
-    default: &[Method],
-    general: &Arguments,
-) -> Result<(Vec<Method>, ModelOptions), CommandError> {
-    let methods = (arguments.method.as_ref()).map_or(default.to_vec(), |m| m.0.clone());
-    let mut options = ModelOptions {
-        direct: arguments.direct,
-        ..ModelOptions::default()
-    };
-    if let Some(cache) = &general.cache {
-        options.cache = Some(cache.clone());
-    }
-    if let Some(mesh) = arguments.mesh {
-        if !methods.contains(&Method::Bem) {
-            let allowed = "no method uses boundary elements: leave this option out, or name bem with --method";
-            return Err(CommandError::input("--mesh", mesh, allowed));
-        }
-        options.mesh = mesh;
-    }
-    Ok((methods, options))
-}
-
-pub(super) fn set_up(
-    methods: &[Method],
-    options: &ModelOptions,
-) -> Result<Vec<Model>, CommandError> {
-    (methods.iter())
-        .map(|&method| Ok(Model::set_up(method, options)?))
-        .collect()
-}
-
-/// The tolerance, if it is allowed.
-pub(super) fn checked_tolerance(tolerance: f64) -> Result<f64, CommandError> {
-    if !(1e-14..=1e-2).contains(&tolerance) {
-        let allowed = "give a number from 1e-14 to 1e-2";
-        let value = format!("{tolerance:?}");
-        return Err(CommandError::input("--tol", value, allowed));
-    }
-    Ok(tolerance)
-}
-
-/// The distance at which angles are read, and the time limit, if they are allowed.
-pub(super) fn checked_limits(
-    limits: &LimitArguments,
-) -> Result<(f64, Option<Duration>), CommandError> {
-    let angles_at = limits.departure;
-    if angles_at.is_nan() || angles_at <= 2.0 {
-        let allowed = "give a distance of the centres greater than 2 (radii), or inf";
-        let value = format!("{angles_at:?}");
-        return Err(CommandError::input("--departure", value, allowed));
-    }
-    let limit = limits.time_limit.map(|seconds| {
-        let allowed = "give a number of seconds, 0 or more";
-        Duration::try_from_secs_f64(seconds)
-            .map_err(|_| CommandError::input("--time-limit", seconds, allowed))
-    });
-    Ok((angles_at, limit.transpose()?))
-}
-
-pub(super) fn sweep_options(runs: &RunArguments) -> Result<SweepOptions, CommandError> {
-    let tolerance = checked_tolerance(runs.tol)?;
-    let (angles_at, time_limit) = checked_limits(&runs.limits)?;
-    Ok(SweepOptions {
-        run: RunOptions {
-            tolerance,
-            angles_at,
-            sample_interval: Some(SAMPLE_INTERVAL),
-            ..RunOptions::default()
-        },
-        time_limit,
-    })
-}
-
-/// The highest slip mode, if it is allowed.
-fn highest(what: &'static str, modes: usize) -> Result<usize, CommandError> {
-    if modes > MAX_MODES {
-        let allowed = format!("modes go from 0 (none) to {MAX_MODES}");
-        return Err(CommandError::input(what, modes, allowed));
-    }
-    Ok(modes)
 }

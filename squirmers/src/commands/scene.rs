@@ -8,7 +8,7 @@ use std::time::Instant;
 use clap::Args;
 use scene::{Outcome, Plan, Run};
 
-use crate::arguments::Arguments;
+use crate::arguments::GeneralArguments;
 use crate::error::CommandError;
 use crate::streams::{complain, say};
 use crate::terminal::{print_rows, words};
@@ -62,7 +62,11 @@ fn read(path: &Path) -> Result<SceneFile, CommandError> {
     Ok(parsed?)
 }
 
-fn set_up(file: &SceneFile, plan: &Plan, general: &Arguments) -> Result<Model, CommandError> {
+fn set_up(
+    file: &SceneFile,
+    plan: &Plan,
+    general: &GeneralArguments,
+) -> Result<Model, CommandError> {
     let mut options = ModelOptions::default();
     if let Some(cache) = &general.cache {
         options.cache = Some(cache.clone());
@@ -71,7 +75,10 @@ fn set_up(file: &SceneFile, plan: &Plan, general: &Arguments) -> Result<Model, C
     Ok(Model::set_up(file.method, &options)?)
 }
 
-pub(super) fn run(arguments: &RunArguments, general: &Arguments) -> Result<(), CommandError> {
+pub(super) fn run(
+    arguments: &RunArguments,
+    general: &GeneralArguments,
+) -> Result<(), CommandError> {
     let file = read(&arguments.file)?;
     let plan = Plan::new(&file.scene)?;
     let out = general.output()?;
@@ -147,7 +154,7 @@ fn print_summary(summary: &Summary, run: &Run, rows: &[SampleRow]) {
 
 pub(super) fn explain(
     arguments: &ExplainArguments,
-    general: &Arguments,
+    general: &GeneralArguments,
 ) -> Result<(), CommandError> {
     let file = read(&arguments.file)?;
     let plan = Plan::new(&file.scene)?;

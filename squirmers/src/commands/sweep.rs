@@ -9,8 +9,8 @@ use compare::{CompareError, Family, ModelOptions};
 
 use super::many::{keep_first, print_rest};
 use super::maps::METHODS;
-use super::{checked_limits, checked_tolerance, model_options, set_up};
-use crate::arguments::{Arguments, LimitArguments, ModelArguments};
+use super::shared::{checked_limits, checked_tolerance, model_options, set_up};
+use crate::arguments::{GeneralArguments, LimitArguments, ModelArguments};
 use crate::error::CommandError;
 use crate::streams::{complain, say};
 use crate::terminal::print_rows;
@@ -81,7 +81,10 @@ fn family(named: &str) -> Result<Family, CommandError> {
     Ok(parsed.map_err(|mistakes| CompareError::SceneFile { path, mistakes })?)
 }
 
-pub(super) fn run(arguments: &SweepArguments, general: &Arguments) -> Result<(), CommandError> {
+pub(super) fn run(
+    arguments: &SweepArguments,
+    general: &GeneralArguments,
+) -> Result<(), CommandError> {
     let (mut methods, mut options) = model_options(&arguments.models, &METHODS, general)?;
     let (angles_at, time_limit) = checked_limits(&arguments.limits)?;
     let tolerance = arguments.tol.map(checked_tolerance).transpose()?;
@@ -134,7 +137,10 @@ fn printed(row: &SweepRow, parameters: usize) -> Vec<String> {
     row.0.iter().enumerate().map(field).collect()
 }
 
-pub(super) fn merge(arguments: &MergeArguments, general: &Arguments) -> Result<(), CommandError> {
+pub(super) fn merge(
+    arguments: &MergeArguments,
+    general: &GeneralArguments,
+) -> Result<(), CommandError> {
     let out = general.output()?;
     let merged = sweep::merge(&arguments.shares, &out)?;
     if merged.arithmetic.len() > 1 {
