@@ -53,8 +53,8 @@ type MethodName = &'static str;
 
 fn method_name<'de, D: Deserializer<'de>>(from: D) -> Result<MethodName, D::Error> {
     let name = String::deserialize(from)?;
-    let method = Method::ALL.into_iter().find(|method| method.name() == name);
-    let method = method.ok_or_else(|| D::Error::custom(format!("'{name}' is not a method")))?;
+    let method = Method::named(&name)
+        .ok_or_else(|| D::Error::custom(format!("'{name}' is not a method")))?;
     Ok(method.name())
 }
 

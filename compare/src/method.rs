@@ -27,6 +27,12 @@ impl Method {
     /// The methods that a command runs by default.
     pub const DEFAULT: [Self; 3] = [Self::Lt, Self::Exact, Self::Bem];
 
+    /// The method with this name on the command line and in tables, if it can be compared.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|method| method.name() == name)
+    }
+
     /// Name on the command line and in tables.
     #[must_use]
     pub const fn name(self) -> &'static str {

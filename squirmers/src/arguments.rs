@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use clap::Args;
 
 use crate::error::CommandError;
-use compare::Method;
 use compare::numbers::{Numbers, parse_number, parse_numbers, parse_whole};
 use compare::output::OutputFolder;
+use compare::{Method, ModelOptions};
 
 /// What every command takes.
 #[derive(Debug, Args)]
@@ -27,6 +27,18 @@ pub(crate) struct GeneralArguments {
 }
 
 impl GeneralArguments {
+    /// The options of models, with the cache that the user names, if any.
+    pub(crate) fn model_options(&self) -> ModelOptions {
+        let options = ModelOptions::default();
+        match &self.cache {
+            Some(_) => ModelOptions {
+                cache: self.cache.clone(),
+                ..options
+            },
+            None => options,
+        }
+    }
+
     /// Opens the folder for results and locks it against other commands.
     pub(crate) fn output(&self) -> Result<OutputFolder, CommandError> {
         Ok(OutputFolder::open(&self.out)?.fresh(self.fresh))
@@ -110,8 +122,7 @@ fn parse_level(text: &str) -> Result<usize, String> {
 fn parse_methods(text: &str) -> Result<Methods, String> {
     let mut methods = Vec::new();
     for name in text.split(',') {
-        let method = Method::ALL.into_iter().find(|m| m.name() == name.trim());
-        let method = method.ok_or_else(|| {
+        let method = Method::named(name.trim()).ok_or_else(|| {
             let known: Vec<_> = Method::ALL.iter().map(|m| m.name()).collect();
             format!("'{name}' is not a method: use {}", known.join(", "))
         })?;

@@ -78,7 +78,7 @@ impl FateRow {
     /// The method.
     #[must_use]
     pub fn method(&self) -> Option<Method> {
-        Method::ALL.into_iter().find(|m| m.name() == self.method)
+        Method::named(&self.method)
     }
 }
 

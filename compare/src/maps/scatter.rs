@@ -106,7 +106,7 @@ impl ScatterRow {
     /// The method.
     #[must_use]
     pub fn method(&self) -> Option<Method> {
-        Method::ALL.into_iter().find(|m| m.name() == self.method)
+        Method::named(&self.method)
     }
 
     /// The outcome; `None` if the run failed.

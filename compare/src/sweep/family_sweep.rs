@@ -146,7 +146,7 @@ impl FamilySweep<'_> {
                 failed: done.failed,
                 bytes,
                 checksum,
-                arithmetic: vec![Arithmetic::of(self.models, self.points.load_set()?)?],
+                arithmetic: vec![Arithmetic::of(self.models)?],
                 threads: rayon::current_num_threads(),
                 seconds: began.elapsed().as_secs_f64(),
             };

@@ -20,6 +20,9 @@ const GAPS: [f64; 4] = [0.02, 0.3, 1.5, 20.0];
 /// Arguments of elementary functions. The bits of their values identify the arithmetic of a machine.
 const ARGUMENTS: u32 = 256;
 
+/// Loads that stand for a model without a table.
+const UNTABULATED: LoadSet = LoadSet::all(2);
+
 /// The manifest: the file `sweep.json` beside the rows of a share.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -99,7 +102,7 @@ impl Arithmetic {
     ///
     /// # Errors
     /// The errors of the models.
-    pub fn of(models: &[Model], set: LoadSet) -> Result<Self, SceneError> {
+    pub fn of(models: &[Model]) -> Result<Self, SceneError> {
         let mut functions = crc32fast::Hasher::new();
         for k in 1..=ARGUMENTS {
             let x = f64::from(k) / 17.0;
@@ -123,6 +126,7 @@ impl Arithmetic {
         }
         let loads = (models.iter())
             .map(|model| {
+                let set = model.tabulated().unwrap_or(UNTABULATED);
                 let mut bits = crc32fast::Hasher::new();
                 for eps in GAPS {
                     // Gaps beyond a model's range have no loads.

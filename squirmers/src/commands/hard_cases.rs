@@ -8,7 +8,6 @@ use crate::error::CommandError;
 use crate::progress;
 use crate::streams::say;
 use crate::terminal::words;
-use compare::ModelOptions;
 use compare::hard_cases::{self, Bench, GROUPS, Group, HardCaseRow};
 use compare::numbers::size;
 use compare::output::csv_text;
@@ -53,16 +52,12 @@ pub(super) fn run(
     arguments: &HardCaseArguments,
     general: &GeneralArguments,
 ) -> Result<(), CommandError> {
-    let mut options = ModelOptions::default();
-    if let Some(cache) = &general.cache {
-        options.cache = Some(cache.clone());
-    }
     let groups = match &arguments.only {
         Some(groups) => groups.0.clone(),
         None => GROUPS.iter().collect(),
     };
     let out = general.output()?;
-    let bench = Bench::set_up(&options)?;
+    let bench = Bench::set_up(&general.model_options())?;
     let mut rows = Vec::new();
     hard_cases::run(&bench, &groups, &mut |group, of_group| {
         progress::aside(|| print(group, &of_group));

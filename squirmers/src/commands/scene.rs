@@ -14,7 +14,7 @@ use crate::streams::{complain, say};
 use crate::terminal::{print_rows, words};
 use compare::numbers::{rounded, size};
 use compare::scene_run::{self, SampleRow, Summary};
-use compare::{CompareError, Model, ModelOptions, SceneFile};
+use compare::{CompareError, Model, SceneFile};
 
 /// Largest size of a scene file, in bytes.
 const LONGEST_FILE: u64 = 1 << 20;
@@ -67,11 +67,7 @@ fn set_up(
     plan: &Plan,
     general: &GeneralArguments,
 ) -> Result<Model, CommandError> {
-    let mut options = ModelOptions::default();
-    if let Some(cache) = &general.cache {
-        options.cache = Some(cache.clone());
-    }
-    let options = file.model_options(plan, options);
+    let options = file.model_options(plan, general.model_options());
     Ok(Model::set_up(file.method, &options)?)
 }
 

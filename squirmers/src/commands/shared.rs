@@ -19,11 +19,8 @@ pub(super) fn model_options(
     let methods = (arguments.method.as_ref()).map_or(default.to_vec(), |m| m.0.clone());
     let mut options = ModelOptions {
         direct: arguments.direct,
-        ..ModelOptions::default()
+        ..general.model_options()
     };
-    if let Some(cache) = &general.cache {
-        options.cache = Some(cache.clone());
-    }
     if let Some(mesh) = arguments.mesh {
         if !methods.contains(&Method::Bem) {
             let allowed = "no method uses boundary elements: leave this option out, or name bem with --method";

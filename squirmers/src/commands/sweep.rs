@@ -24,7 +24,7 @@ pub(crate) struct SweepArguments {
     #[arg(long, value_name = "NAME=LIST", value_parser = parse_vary, allow_hyphen_values = true)]
     vary: Vec<(String, Numbers)>,
     /// Run only share m of n; 'squirmers merge' merges the shares
-    #[arg(long, value_name = "m/n", value_parser = parse_share)]
+    #[arg(long, value_name = "m/n")]
     partition: Option<Share>,
     /// Tolerance of the integrator [default: the family's]
     #[arg(long, value_name = "TOL", value_parser = parse_number, allow_hyphen_values = true)]
@@ -60,10 +60,6 @@ fn parse_vary(text: &str) -> Result<(String, Numbers), String> {
     let (name, list) = (text.split_once('='))
         .ok_or_else(|| format!("'{text}' has no values: give NAME=LIST, such as dx=0:3:0.5"))?;
     Ok((name.trim().to_owned(), parse_numbers(list)?))
-}
-
-fn parse_share(text: &str) -> Result<Share, String> {
-    text.parse()
 }
 
 /// The family: one of the paper's by its name, or else from a file.

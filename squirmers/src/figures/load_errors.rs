@@ -26,7 +26,7 @@ pub fn load_errors(rows: &[LoadErrorRow]) -> Result<String, FigureError> {
     if names.is_empty() {
         return Err(FigureError::Empty { what: "no loads" });
     }
-    let methods = methods(rows.iter().filter_map(method_of));
+    let methods = methods(rows.iter().filter_map(|row| Method::named(row.method)));
     let gaps = || rows.iter().map(|row| row.gap.log10());
     let x = match extremes(gaps()) {
         // The axis has at least two powers of ten, so that it has a scale.
@@ -50,7 +50,7 @@ pub fn load_errors(rows: &[LoadErrorRow]) -> Result<String, FigureError> {
         canvas.panel(layout.corner(column, line), layout.plot, axes, |panel| {
             for &method in &methods {
                 let mine =
-                    (rows.iter()).filter(|row| method_of(row) == Some(method) && row.name == name);
+                    (rows.iter()).filter(|row| row.method == method.name() && row.name == name);
                 let points: Vec<_> = mine.map(place).collect();
                 panel.path(&points, stroke(method));
             }
@@ -86,8 +86,4 @@ fn places(names: &[&str]) -> Vec<(usize, usize)> {
 fn stroke(method: Method) -> Stroke {
     let index = Method::ALL.iter().position(|m| *m == method).unwrap_or(0);
     Stroke::new(colour(index), 2.0, Dash::of(index))
-}
-
-fn method_of(row: &LoadErrorRow) -> Option<Method> {
-    Method::ALL.into_iter().find(|m| m.name() == row.method)
 }

@@ -41,7 +41,7 @@ pub fn offset(rows: &[OffsetRow]) -> Result<String, FigureError> {
     if rows.is_empty() {
         return Err(FigureError::Empty { what: "no offset" });
     }
-    let methods = methods(rows.iter().filter_map(method_of));
+    let methods = methods(rows.iter().filter_map(|row| Method::named(row.method)));
     let mut lines: Vec<Line<'_>> = Vec::new();
     for row in rows {
         if !lines.iter().any(|line| line.holds(row)) {
@@ -90,7 +90,7 @@ pub fn offset(rows: &[OffsetRow]) -> Result<String, FigureError> {
         canvas.panel(layout.corner(column, 0), layout.plot, axes, |panel| {
             for (i, line) in lines.iter().enumerate() {
                 let mut mine: Vec<&OffsetRow> = (rows.iter())
-                    .filter(|r| method_of(r) == Some(method) && line.holds(r))
+                    .filter(|r| r.method == method.name() && line.holds(r))
                     .collect();
                 mine.sort_by(|a, b| a.dz.total_cmp(&b.dz));
                 let first: Vec<_> = mine.iter().map(|r| (r.dz, r.change1_deg)).collect();
@@ -112,8 +112,4 @@ pub fn offset(rows: &[OffsetRow]) -> Result<String, FigureError> {
 
 fn stroke(index: usize, dash: Dash) -> Stroke {
     Stroke::new(colour(index), 2.0, dash)
-}
-
-fn method_of(row: &OffsetRow) -> Option<Method> {
-    Method::ALL.into_iter().find(|m| m.name() == row.method)
 }

@@ -126,8 +126,7 @@ pub fn trust_against_offset(rows: &[TrustShares]) -> Result<String, FigureError>
 }
 
 fn title_of(method: &str) -> String {
-    let known = Method::ALL.into_iter().find(|m| m.name() == method);
-    known.map_or(method.to_owned(), |m| m.title().to_owned())
+    Method::named(method).map_or(method.to_owned(), |m| m.title().to_owned())
 }
 
 fn legend(classes: impl IntoIterator<Item = (Fill, &'static str)>) -> Vec<Vec<Entry>> {

@@ -352,7 +352,7 @@ fn processor_time() -> u64 {
 }
 
 #[test]
-#[ignore = "a measurement: cargo test --release -p compare --lib what_a_scene_costs -- --ignored --nocapture"]
+#[ignore = "a measurement: cargo test --release -p squirmers-compare --lib what_a_scene_costs -- --ignored --nocapture"]
 fn what_a_scene_costs() {
     for (name, text) in Family::PAPER {
         let family = Family::parse(text).unwrap();

@@ -32,7 +32,7 @@ pub(super) fn percent(share: f64) -> String {
 
 /// The name of a method within a sentence.
 fn called(method: &str) -> &str {
-    match Method::ALL.into_iter().find(|m| m.name() == method) {
+    match Method::named(method) {
         Some(Method::Lt) => "lubrication theory",
         Some(Method::LtCorrected) => "corrected lubrication theory",
         Some(Method::Exact) => "exact hydrodynamics",
