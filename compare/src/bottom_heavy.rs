@@ -2,13 +2,15 @@
 //! swims compared with two lone squirmers.
 
 use rayon::prelude::*;
-use scene::{Configuration, Run, RunOptions, Sample, Scene, SceneError};
+use scene::{Configuration, Run, RunOptions, Sample, Scene};
 use serde::{Deserialize, Serialize};
 
+use crate::encounter::RunNumbers;
 use crate::maps::Pair;
+use crate::output::{OutputFolder, csv_text};
 use crate::sweep::SweepOptions;
-use crate::watch::{Pieces, Progress};
-use crate::{Method, Model, NoRun};
+use crate::watch::{Pieces, Progress, notice};
+use crate::{CompareError, Method, Model, NoRun};
 
 /// Time between the rows of a trajectory, in `a/V_s`.
 const SAMPLE_INTERVAL: f64 = 0.2;
@@ -35,8 +37,8 @@ impl PanelCase {
     /// The scene of this panel.
     ///
     /// # Errors
-    /// [`SceneError`] for numbers that are not finite.
-    pub fn scene(&self) -> Result<Scene, SceneError> {
+    /// [`CompareError::FamilyPoint`] for numbers that are not finite.
+    pub fn scene(&self) -> Result<Scene, CompareError> {
         let Self { beta, g, .. } = *self;
         Pair { beta, g, dz: 0.0 }.scene(self.delta, self.sigma)
     }
@@ -120,6 +122,16 @@ impl PanelRun {
         })
     }
 
+    /// A message about a run without a result.
+    #[must_use]
+    pub fn failure(&self) -> Option<String> {
+        let reason = self.run.as_ref().err()?;
+        Some(format!(
+            "panel {}, {}: {reason}",
+            self.case.panel, self.method
+        ))
+    }
+
     /// The line of the summary.
     #[must_use]
     pub fn summary(&self) -> PanelRow {
@@ -131,7 +143,10 @@ impl PanelRun {
             sigma,
             ..
         } = self.case.clone();
-        let run = self.run.as_ref().ok();
+        let RunNumbers {
+            outcome, min_gap, ..
+        } = RunNumbers::of(&self.run);
+        let depth_ratio = (self.run.as_ref()).map_or(f64::NAN, |run| depth_ratio(run, g));
         PanelRow {
             panel,
             method: self.method.name(),
@@ -139,13 +154,43 @@ impl PanelRun {
             g,
             delta,
             sigma,
-            outcome: match &self.run {
-                Ok(run) => run.outcome.to_string(),
-                Err(none) => none.outcome().to_owned(),
-            },
-            min_gap: run.map_or(f64::NAN, |run| run.min_gap),
-            depth_ratio: run.map_or(f64::NAN, |run| depth_ratio(run, g)),
+            outcome,
+            min_gap,
+            depth_ratio,
         }
+    }
+}
+
+/// The runs of some panels, and the text of the file of their trajectories.
+pub struct Panels {
+    /// Every panel by every method. Methods are the outer loop.
+    pub runs: Vec<PanelRun>,
+    /// The trajectories as CSV.
+    pub csv: String,
+}
+
+impl Panels {
+    /// Runs every panel by every method, writes the trajectories to `NAME.csv`, reports the runs without a result and
+    /// counts them in the account of the folder.
+    ///
+    /// # Errors
+    /// [`CompareError::Write`].
+    pub fn run(
+        name: &str,
+        models: &[&Model],
+        panels: &[PanelCase],
+        options: &SweepOptions,
+        out: &OutputFolder,
+    ) -> Result<Self, CompareError> {
+        let runs = panel_runs(models, panels, options);
+        out.account().enter(runs.iter().map(|run| &run.run));
+        for failure in runs.iter().filter_map(PanelRun::failure) {
+            notice!("{failure}");
+        }
+        let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
+        let csv = csv_text(&rows)?;
+        out.write_unless_less(&format!("{name}.csv"), &csv)?;
+        Ok(Self { runs, csv })
     }
 }
 
@@ -171,9 +216,7 @@ pub fn panel_runs(
             let run = if late {
                 Err(NoRun::Skipped)
             } else {
-                (panel.scene())
-                    .and_then(|scene| model.run(&scene, &run_options))
-                    .map_err(|error| NoRun::Failed(error.to_string()))
+                model.attempt(panel.scene(), &run_options)
             };
             progress.advance();
             PanelRun {

@@ -1,18 +1,30 @@
-//! The paper's encounters as scenes.
+//! The paper's encounters with opposed velocities and at right angles.
 
-use std::f64::consts::FRAC_PI_2;
 use std::fmt;
 
-use scene::{Orientation, Pose, Repulsion, Scene, SceneError, Squirmer};
+use scene::Scene;
+
+use crate::CompareError;
+use crate::scene_file::paper_scene;
 
 /// How two squirmers approach each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Approach {
-    /// Opposed velocities (Fig. 6): squirmer 1 starts at `(-dx/2, 5)` downwards, squirmer 2 at `(dx/2, -5)` upwards.
+    /// Opposed velocities (Fig. 6).
     HeadOn,
-    /// Velocities at right angles (Fig. 7): squirmer 1 starts at `(0, 10)` along x, squirmer 2 at `(10 - dx, 0)`
-    /// along y.
+    /// Velocities at right angles (Fig. 7).
     Orthogonal,
+}
+
+impl Approach {
+    /// Name of its family in `fixtures/families`.
+    #[must_use]
+    pub const fn family(self) -> &'static str {
+        match self {
+            Self::HeadOn => "opposed",
+            Self::Orthogonal => "right-angles",
+        }
+    }
 }
 
 impl fmt::Display for Approach {
@@ -38,27 +50,12 @@ pub struct Case {
 }
 
 impl Case {
-    /// The scene of this encounter.
+    /// The scene of this encounter, from the family of its approach.
     ///
     /// # Errors
-    /// [`SceneError`] for numbers that are not finite, and for spheres that overlap.
-    pub fn scene(&self) -> Result<Scene, SceneError> {
-        let squirmer = Squirmer::with_beta(1.0, self.beta)?;
-        let pose = |x: f64, y: f64, z: f64, angle: f64| Pose {
-            position: [x, y, z].into(),
-            orientation: Orientation::Radians(angle),
-        };
-        let (half, up) = (0.5 * self.dx, 0.5 * self.dz);
-        let start = match self.approach {
-            Approach::HeadOn => [
-                pose(-half, 5.0, up, -FRAC_PI_2),
-                pose(half, -5.0, -up, FRAC_PI_2),
-            ],
-            Approach::Orthogonal => [
-                pose(0.0, 10.0, up, 0.0),
-                pose(10.0 - self.dx, 0.0, -up, FRAC_PI_2),
-            ],
-        };
-        Scene::new([squirmer; 2], start, Some(Repulsion::PAPER), None)
+    /// [`CompareError::FamilyPoint`] for numbers that are not finite, and for spheres that overlap.
+    pub fn scene(&self) -> Result<Scene, CompareError> {
+        let values = [("beta", self.beta), ("dx", self.dx), ("dz", self.dz)];
+        paper_scene(self.approach.family(), &values)
     }
 }

@@ -42,6 +42,42 @@ impl NoRun {
     }
 }
 
+/// The numbers of a run as they stand in a row. Without a run they are NaN and 0.
+pub(crate) struct RunNumbers {
+    pub deflections_deg: [f64; 2],
+    pub min_gap: f64,
+    pub tau: f64,
+    pub outcome: String,
+    pub steps: u64,
+    pub loads: u64,
+    pub truncation_deg: f64,
+}
+
+impl RunNumbers {
+    pub(crate) fn of(run: &Result<Run, NoRun>) -> Self {
+        match run {
+            Ok(run) => Self {
+                deflections_deg: run.deflections_rad().map(f64::to_degrees),
+                min_gap: run.min_gap,
+                tau: run.contact_time,
+                outcome: run.outcome.to_string(),
+                steps: run.counters.steps,
+                loads: run.counters.loads,
+                truncation_deg: run.truncation_rad.to_degrees(),
+            },
+            Err(none) => Self {
+                deflections_deg: [f64::NAN; 2],
+                min_gap: f64::NAN,
+                tau: f64::NAN,
+                outcome: none.outcome().to_owned(),
+                steps: 0,
+                loads: 0,
+                truncation_deg: f64::NAN,
+            },
+        }
+    }
+}
+
 /// Outcome of a run that was not started.
 pub const SKIPPED: &str = "skipped";
 
@@ -95,33 +131,29 @@ impl Encounter {
     /// The row of this encounter.
     #[must_use]
     pub fn row(&self) -> EncounterRow {
-        let case = &self.case;
-        let run = self.run.as_ref().ok();
-        let number = |of: fn(&Run) -> f64| run.map_or(f64::NAN, of);
+        let Case { beta, dx, dz, .. } = self.case;
+        let run = RunNumbers::of(&self.run);
         EncounterRow {
             method: self.method.name(),
-            beta: case.beta,
-            dx: case.dx,
-            dz: case.dz,
-            deflection1_deg: number(|run| run.deflections_rad()[0].to_degrees()),
-            deflection2_deg: number(|run| run.deflections_rad()[1].to_degrees()),
-            min_gap: number(|run| run.min_gap),
-            tau: number(|run| run.contact_time),
-            outcome: self.outcome(),
-            steps: run.map_or(0, |run| run.counters.steps),
-            loads: run.map_or(0, |run| run.counters.loads),
+            beta,
+            dx,
+            dz,
+            deflection1_deg: run.deflections_deg[0],
+            deflection2_deg: run.deflections_deg[1],
+            min_gap: run.min_gap,
+            tau: run.tau,
+            outcome: run.outcome,
+            steps: run.steps,
+            loads: run.loads,
             seconds: self.seconds,
-            truncation_deg: number(|run| run.truncation_rad.to_degrees()),
+            truncation_deg: run.truncation_deg,
         }
     }
 
     /// Name of the outcome, `failed` or `skipped`.
     #[must_use]
     pub fn outcome(&self) -> String {
-        match &self.run {
-            Ok(run) => run.outcome.to_string(),
-            Err(none) => none.outcome().to_owned(),
-        }
+        RunNumbers::of(&self.run).outcome
     }
 
     /// A message about an encounter without a result.

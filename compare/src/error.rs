@@ -49,14 +49,14 @@ pub enum CompareError {
     },
     /// The command would delete the results of an interrupted command.
     #[error(
-        "'{path}' keeps {chunks} finished pieces of another sweep, which was interrupted: repeat the command of that \
+        "'{path}' keeps {pieces} finished pieces of another sweep, which was interrupted: repeat the command of that \
          sweep, give another folder by --out, or delete the file by --fresh"
     )]
     OtherSweep {
         /// The file.
         path: PathBuf,
         /// Number of finished pieces in the file.
-        chunks: usize,
+        pieces: usize,
     },
     /// A share of a sweep that can't be merged with the others.
     #[error("'{path}': {reason}")]
@@ -80,13 +80,13 @@ pub enum CompareError {
     },
     /// The command was interrupted in a sweep, whose finished pieces are kept.
     #[error(
-        "interrupted: {left} of {chunks} {what} are left; the same command continues from '{path}'"
+        "interrupted: {left} of {pieces} {what} are left; the same command continues from '{path}'"
     )]
     Interrupted {
         /// Number of pieces that are not finished.
         left: usize,
         /// Number of all pieces.
-        chunks: usize,
+        pieces: usize,
         /// Name of the pieces.
         what: &'static str,
         /// The file that keeps the finished pieces.
@@ -145,6 +145,16 @@ impl CompareError {
             value: value.to_string(),
             allowed: allowed.into(),
         }
+    }
+
+    /// The message without a heading; of several mistakes in a scene the first one.
+    #[must_use]
+    pub fn in_one_line(&self) -> String {
+        let message = match self {
+            Self::FamilyPoint(mistakes) => mistakes.to_string(),
+            error => error.to_string(),
+        };
+        message.lines().next().unwrap_or_default().to_owned()
     }
 
     /// The kind of this failure.

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
-use scene::{Hydrodynamics, RunOptions};
+use scene::RunOptions;
 
 use crate::output::{OutputFolder, csv_header, csv_lines};
 use crate::sweep::{self, Computed, Done, Row, Sweep, SweepOptions};
@@ -89,9 +89,6 @@ impl KeptRows<'_> {
 
     /// Everything that the rows depend on, in one line.
     fn key(&self, size: usize) -> String {
-        let models: Vec<_> = (self.models.iter())
-            .map(|model| format!("{} ({})", model.method(), model.fingerprint()))
-            .collect();
         let mut cases = crc32fast::Hasher::new();
         for case in self.cases {
             for number in [case.beta, case.dx, case.dz] {
@@ -102,15 +99,9 @@ impl KeptRows<'_> {
             sample_interval: None,
             ..self.options.run
         };
-        format!(
-            "squirmers {} {}: {}; {} cases ({:08x}), {size} at a time; {run:?}",
-            env!("CARGO_PKG_VERSION"),
-            self.name,
-            models.join(", "),
-            self.cases.len(),
-            cases.finalize(),
-        )
-        .replace('\n', " ")
+        let (count, checksum) = (self.cases.len(), cases.finalize());
+        let rest = format!("{count} cases ({checksum:08x}), {size} at a time");
+        sweep::key(self.name, self.models, &run, &rest)
     }
 
     /// The sweep of `units` units.
@@ -261,7 +252,7 @@ impl KeptRows<'_> {
         Ok(done.is_complete())
     }
 
-    /// Computes and writes `units` units, and counts the runs without a result in the account.
+    /// Computes and writes `units` units.
     fn write<R: Row>(
         &self,
         units: usize,
@@ -271,9 +262,6 @@ impl KeptRows<'_> {
         see: &mut dyn FnMut(R),
     ) -> Result<Done, CompareError> {
         let sweep = self.sweep(units);
-        let done = sweep.run(compute)?.write(header, skipped, see)?;
-        self.out.account().failed(done.failed);
-        self.out.account().skipped(done.skipped);
-        Ok(done)
+        sweep.run(compute)?.write(header, skipped, see)
     }
 }

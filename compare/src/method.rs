@@ -1,12 +1,16 @@
 //! The hydrodynamic models, by their names on the command line.
 
+use std::cmp::Ordering;
 use std::fmt;
+use std::sync::{Mutex, PoisonError};
 
-use bem::{Bem, BemError};
-use scene::Gap;
+use bem::Bem;
+use scene::{Gap, Hydrodynamics};
+
+use crate::CompareError;
 
 /// A hydrodynamic model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Method {
     /// Lubrication theory as published.
     Lt,
@@ -18,19 +22,115 @@ pub enum Method {
     Bem,
     /// No hydrodynamic interaction. Only scene files can name it.
     Isolated,
+    /// A model from outside this workspace, see [`Method::register`].
+    Other(OtherModel),
+}
+
+/// A model from outside this workspace. It is kept until the process ends.
+#[derive(Clone, Copy)]
+pub struct OtherModel(&'static Registered);
+
+struct Registered {
+    name: &'static str,
+    /// Number among the models from outside, from 0.
+    number: usize,
+    model: Box<dyn Hydrodynamics>,
+}
+
+/// The models from outside, in the order in which they were registered.
+static OTHERS: Mutex<Vec<OtherModel>> = Mutex::new(Vec::new());
+
+impl OtherModel {
+    /// The model itself.
+    pub(crate) fn hydrodynamics(self) -> &'static dyn Hydrodynamics {
+        self.0.model.as_ref()
+    }
+}
+
+impl PartialEq for OtherModel {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.number == other.0.number
+    }
+}
+
+impl Eq for OtherModel {}
+
+impl PartialOrd for OtherModel {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for OtherModel {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.0.number.cmp(&other.0.number)
+    }
+}
+
+impl fmt::Debug for OtherModel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("OtherModel").field(&self.0.name).finish()
+    }
 }
 
 impl Method {
-    /// The methods that the command line accepts.
+    /// The methods of this workspace that the command line accepts.
     pub const ALL: [Self; 4] = [Self::Lt, Self::LtCorrected, Self::Exact, Self::Bem];
 
     /// The methods that a command runs by default.
     pub const DEFAULT: [Self; 3] = [Self::Lt, Self::Exact, Self::Bem];
 
+    /// Makes a model from outside this workspace a method, under a name that stands in tables and pictures. The model
+    /// is kept until the process ends.
+    ///
+    /// # Errors
+    /// [`CompareError::Input`] for a name that is taken, and for one that is not made of letters, digits, `-`, `_` and
+    /// `.` only.
+    ///
+    /// ```
+    /// use compare::{Method, Model, ModelOptions};
+    ///
+    /// let method = Method::register("lone", Box::new(scene::Isolated))?;
+    /// assert_eq!(Method::named("lone"), Some(method));
+    /// assert!(Method::register("exact", Box::new(scene::Isolated)).is_err());
+    /// let model = Model::set_up(method, &ModelOptions::default())?;
+    /// assert_eq!(model.method().name(), "lone");
+    /// # Ok::<(), compare::CompareError>(())
+    /// ```
+    pub fn register(name: &str, model: Box<dyn Hydrodynamics>) -> Result<Self, CompareError> {
+        let refused = |allowed: &str| Err(CompareError::input("--method", name, allowed));
+        let is_part = |c: char| c.is_alphanumeric() || "-_.".contains(c);
+        if name.is_empty() || name.len() > MOST_LETTERS || !name.chars().all(is_part) {
+            let allowed = format!(
+                "a name has 1 to {MOST_LETTERS} letters, digits or the signs - _ . and nothing else"
+            );
+            return refused(&allowed);
+        }
+        let mut others = OTHERS.lock().unwrap_or_else(PoisonError::into_inner);
+        let of_ours = (Self::ALL.iter()).chain(std::iter::once(&Self::Isolated));
+        if of_ours.map(|method| method.name()).any(|n| n == name)
+            || others.iter().any(|other| other.0.name == name)
+        {
+            return refused("a model has this name already: give another one");
+        }
+        let other = OtherModel(Box::leak(Box::new(Registered {
+            name: Box::leak(name.to_owned().into_boxed_str()),
+            number: others.len(),
+            model,
+        })));
+        others.push(other);
+        Ok(Self::Other(other))
+    }
+
     /// The method with this name on the command line and in tables, if it can be compared.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|method| method.name() == name)
+        let of_ours = Self::ALL.into_iter().find(|method| method.name() == name);
+        of_ours.or_else(|| {
+            let others = OTHERS.lock().unwrap_or_else(PoisonError::into_inner);
+            let other = others.iter().find(|other| other.0.name == name);
+            other.map(|&other| Self::Other(other))
+        })
     }
 
     /// Name on the command line and in tables.
@@ -42,16 +142,19 @@ impl Method {
             Self::Exact => "exact",
             Self::Bem => "bem",
             Self::Isolated => "none",
+            Self::Other(OtherModel(other)) => other.name,
         }
     }
 
-    /// Refuses a gap that is below the model's range. Boundary elements of level `mesh` have a smallest gap.
+    /// Refuses a gap outside the model's range. Boundary elements of level `mesh` have a smallest gap.
     ///
     /// # Errors
-    /// [`BemError::GapUnresolved`] with the level that resolves the gap; [`BemError::Level`] if `mesh` is not a level.
-    pub fn check_gap(self, mesh: usize, gap: Gap) -> Result<(), BemError> {
+    /// [`CompareError::Bem`] with the level that resolves the gap, or if `mesh` is not a level;
+    /// [`CompareError::Scene`] for a gap outside the range of a model from outside.
+    pub fn check_gap(self, mesh: usize, gap: Gap) -> Result<(), CompareError> {
         match self {
-            Self::Bem => Bem::new(mesh)?.check(gap),
+            Self::Bem => Ok(Bem::new(mesh)?.check(gap)?),
+            Self::Other(other) => Ok(other.hydrodynamics().range().check(gap)?),
             Self::Lt | Self::LtCorrected | Self::Exact | Self::Isolated => Ok(()),
         }
     }
@@ -65,9 +168,26 @@ impl Method {
             Self::Exact => "Exact hydrodynamics",
             Self::Bem => "Boundary elements",
             Self::Isolated => "No hydrodynamic interaction",
+            Self::Other(OtherModel(other)) => other.name,
+        }
+    }
+
+    /// Place in the order of all methods, for colours and line styles.
+    #[must_use]
+    pub fn place(self) -> usize {
+        match self {
+            Self::Lt => 0,
+            Self::LtCorrected => 1,
+            Self::Exact => 2,
+            Self::Bem => 3,
+            Self::Isolated => 4,
+            Self::Other(OtherModel(other)) => 5 + other.number,
         }
     }
 }
+
+/// Largest number of letters in the name of a model from outside.
+const MOST_LETTERS: usize = 40;
 
 impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

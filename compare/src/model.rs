@@ -14,7 +14,7 @@ use scene::{
 
 use crate::scene_file::Hydrodynamics as InFiles;
 use crate::watch::{Pieces, Progress};
-use crate::{CompareError, Method};
+use crate::{CompareError, Method, NoRun};
 
 /// Interpolation error of the tables of boundary elements, relative to the larger of the load and 1. It is far
 /// below the error of the boundary elements, and more than small enough for deflections within 0.01 degrees.
@@ -64,10 +64,10 @@ impl ModelOptions {
     /// These options, with tables of only those loads that the motion of the given scenes reads.
     ///
     /// # Errors
-    /// [`CompareError::Scene`] if one of the scenes is not valid.
+    /// The error of the first scene that is not valid.
     pub fn for_scenes(
         self,
-        scenes: impl IntoIterator<Item = Result<Scene, SceneError>>,
+        scenes: impl IntoIterator<Item = Result<Scene, CompareError>>,
     ) -> Result<Self, CompareError> {
         let mut read: Option<LoadSet> = None;
         for scene in scenes {
@@ -88,6 +88,8 @@ enum Kind {
     Lubrication(Lubrication),
     Table(Box<Tabulated<AnyModel>>),
     Direct(AnyModel),
+    /// A model from outside this workspace.
+    Other(&'static dyn Hydrodynamics),
 }
 
 /// A method ready to run.
@@ -107,6 +109,7 @@ impl Model {
         let started = Instant::now();
         let kind = match method {
             Method::Isolated => Kind::Direct(Box::new(Isolated)),
+            Method::Other(other) => Kind::Other(other.hydrodynamics()),
             Method::Lt => Kind::Lubrication(Lubrication::new(Form::Published)),
             Method::LtCorrected => Kind::Lubrication(Lubrication::new(Form::Corrected)),
             Method::Exact if options.direct => Kind::Direct(Box::new(Exact::new())),
@@ -167,7 +170,7 @@ impl Model {
     pub fn table(&self) -> Option<TableSummary> {
         match &self.kind {
             Kind::Table(table) => Some(table.summary()),
-            Kind::Lubrication(_) | Kind::Direct(_) => None,
+            Kind::Lubrication(_) | Kind::Direct(_) | Kind::Other(_) => None,
         }
     }
 
@@ -176,7 +179,7 @@ impl Model {
     pub fn tabulated(&self) -> Option<LoadSet> {
         match &self.kind {
             Kind::Table(table) => Some(table.set()),
-            Kind::Lubrication(_) | Kind::Direct(_) => None,
+            Kind::Lubrication(_) | Kind::Direct(_) | Kind::Other(_) => None,
         }
     }
 
@@ -189,6 +192,16 @@ impl Model {
         let mut samples = Vec::new();
         let run = self.run_observed(&plan, options, &mut |sample| samples.push(*sample))?;
         Ok(Run { samples, ..run })
+    }
+
+    /// Runs a scene for a row: an error becomes the reason, in one line, why there is no run.
+    pub(crate) fn attempt(
+        &self,
+        scene: Result<Scene, CompareError>,
+        options: &RunOptions,
+    ) -> Result<Run, NoRun> {
+        let run = scene.and_then(|scene| Ok(self.run(&scene, options)?));
+        run.map_err(|error| NoRun::Failed(error.in_one_line()))
     }
 
     /// Runs a plan and passes on each sample as soon as it is computed.
@@ -258,6 +271,7 @@ impl Model {
             Kind::Lubrication(model) => model,
             Kind::Table(model) => model.as_ref(),
             Kind::Direct(model) => model.as_ref(),
+            Kind::Other(model) => *model,
         }
     }
 }

@@ -134,6 +134,19 @@ impl OutputFolder {
         Ok(path)
     }
 
+    /// As [`Self::write`], but keeps the file of an earlier command if the time limit left out something of this one.
+    ///
+    /// # Errors
+    /// [`CompareError::Write`].
+    pub fn write_unless_less(&self, name: &str, text: &str) -> Result<(), CompareError> {
+        if self.account.stopped() && self.holds(name) {
+            notice!("'{name}' of an earlier command is not changed: it may hold more");
+        } else {
+            self.write(name, text)?;
+        }
+        Ok(())
+    }
+
     /// Writes the file `name`. The function `fill` writes its text piece by piece.
     pub fn write_by<E: From<CompareError>>(
         &self,

@@ -1,13 +1,13 @@
 //! The arguments that several commands share.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 use crate::error::CommandError;
 use compare::numbers::{Numbers, parse_number, parse_numbers, parse_whole};
 use compare::output::OutputFolder;
-use compare::{Method, ModelOptions};
+use compare::{LoadsFile, Method, ModelOptions};
 
 /// What every command takes.
 #[derive(Debug, Args)]
@@ -62,10 +62,17 @@ pub(crate) struct EncounterArguments {
     pub runs: RunArguments,
 }
 
+/// The help of `--method` with these defaults.
+pub(crate) fn methods_help(default: &str) -> String {
+    format!(
+        "Methods: lt (as published), lt-corrected, exact, bem, and NAME=FILE for a model whose loads are in a file in the \
+         format of loads.csv [default: {default}]"
+    )
+}
+
 #[derive(Debug, Args)]
 pub(crate) struct ModelArguments {
-    /// Methods: lt (as published), lt-corrected, exact, bem [default: lt,exact,bem]
-    #[arg(long, value_name = "LIST", value_parser = parse_methods)]
+    #[arg(long, value_name = "LIST", value_parser = parse_methods, help = methods_help("lt,exact,bem"))]
     pub method: Option<Methods>,
     /// Level of the mesh of boundary elements
     #[arg(long, value_name = "N", value_parser = parse_level, allow_hyphen_values = true)]
@@ -121,11 +128,15 @@ fn parse_level(text: &str) -> Result<usize, String> {
 
 fn parse_methods(text: &str) -> Result<Methods, String> {
     let mut methods = Vec::new();
-    for name in text.split(',') {
-        let method = Method::named(name.trim()).ok_or_else(|| {
-            let known: Vec<_> = Method::ALL.iter().map(|m| m.name()).collect();
-            format!("'{name}' is not a method: use {}", known.join(", "))
-        })?;
+    for item in text.split(',') {
+        let method = match item.split_once('=') {
+            Some((name, path)) => from_file(name.trim(), path.trim())?,
+            None => Method::named(item.trim()).ok_or_else(|| {
+                let known: Vec<_> = Method::ALL.iter().map(|m| m.name()).collect();
+                let known = known.join(", ");
+                format!("'{item}' is not a method: use {known}, or NAME=FILE for loads in a file")
+            })?,
+        };
         if methods.contains(&method) {
             return Err(format!(
                 "'{}' is in the list twice: once is enough",
@@ -135,4 +146,10 @@ fn parse_methods(text: &str) -> Result<Methods, String> {
         methods.push(method);
     }
     Ok(Methods(methods))
+}
+
+/// The model whose loads are in a file.
+fn from_file(name: &str, path: &str) -> Result<Method, String> {
+    let loads = LoadsFile::read(Path::new(path)).map_err(|error| error.to_string())?;
+    Method::register(name, Box::new(loads)).map_err(|error| error.to_string())
 }

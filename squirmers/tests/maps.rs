@@ -79,8 +79,8 @@ fn a_map_that_was_stopped_goes_on_to_the_same_file() {
     assert!(!out.join("scatter.csv").exists());
     // A part file as it is when the program is killed in the middle of a line.
     let key = text(out, "scatter.csv.part");
-    let chunks = chunks_of_a_killed_map();
-    let torn = format!("{key}{}{}{}", chunks[0], chunks[1], &chunks[2][..70]);
+    let pieces = pieces_of_a_killed_map();
+    let torn = format!("{key}{}{}{}", pieces[0], pieces[1], &pieces[2][..70]);
     std::fs::write(out.join("scatter.csv.part"), torn).unwrap();
     let third = map(out, "scatter", "2", &["--time-limit", "0"]);
     let message = String::from_utf8(third.stderr).unwrap();
@@ -90,8 +90,8 @@ fn a_map_that_was_stopped_goes_on_to_the_same_file() {
     assert!(!out.join("scatter.csv.part").exists());
 }
 
-/// Finished chunks of the map, at least three, as they are when it is killed.
-fn chunks_of_a_killed_map() -> Vec<String> {
+/// Finished pieces of the map, at least three, as they are when it is killed.
+fn pieces_of_a_killed_map() -> Vec<String> {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path();
     let arguments = [&["scatter"][..], &MAP, &["2"]].concat();
@@ -113,21 +113,21 @@ fn chunks_of_a_killed_map() -> Vec<String> {
         }
     };
     let (_, rest) = part.split_once('\n').unwrap();
-    let mut chunks = vec![String::new()];
+    let mut pieces = vec![String::new()];
     for line in rest.split_inclusive('\n') {
-        chunks.last_mut().unwrap().push_str(line);
+        pieces.last_mut().unwrap().push_str(line);
         if line.starts_with("done ") {
-            chunks.push(String::new());
+            pieces.push(String::new());
         }
     }
-    chunks
+    pieces
 }
 
 /// Leaves a part file with one finished line of the map; its text.
 fn interrupt_a_map(out: &Path) -> String {
     map(out, "scatter", "2", &["--time-limit", "0"]);
     let key = text(out, "scatter.csv.part");
-    let kept = format!("{key}{}", chunks_of_a_killed_map()[0]);
+    let kept = format!("{key}{}", pieces_of_a_killed_map()[0]);
     std::fs::write(out.join("scatter.csv.part"), &kept).unwrap();
     kept
 }
@@ -140,10 +140,10 @@ fn a_piece_of_an_interrupted_map_that_was_edited_is_computed_again() {
     let out = folder.path();
     map(out, "scatter", "2", &["--time-limit", "0"]);
     let key = text(out, "scatter.csv.part");
-    let chunks = chunks_of_a_killed_map();
-    let edited = chunks[1].replacen("scattered", "standoff", 1);
-    assert_ne!(edited, chunks[1]);
-    let part = format!("{key}{}{edited}", chunks[0]);
+    let pieces = pieces_of_a_killed_map();
+    let edited = pieces[1].replacen("scattered", "standoff", 1);
+    assert_ne!(edited, pieces[1]);
+    let part = format!("{key}{}{edited}", pieces[0]);
     std::fs::write(out.join("scatter.csv.part"), part).unwrap();
     let done = map(out, "scatter", "2", &[]);
     let message = String::from_utf8(done.stderr).unwrap();

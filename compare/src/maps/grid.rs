@@ -1,14 +1,13 @@
 //! The plane of initial directions that the paper maps (its Sec. III).
 //!
-//! Two squirmers start on the x axis at `x = -3/2` and `3/2`, so the gap is 1, where lubrication begins to act. Their
-//! angles are `phi1 = pi (Sigma - Delta)/2` and `phi2 = pi (Sigma + Delta)/2`. For `Delta` and `Sigma` from 0 to 2 the
-//! squirmers do not swim directly apart.
+//! The family `incoming-angles` has the starts: two squirmers at a gap of 1 with the angles
+//! `phi1 = pi (Sigma - Delta)/2` and `phi2 = pi (Sigma + Delta)/2`. For `Delta` and `Sigma` from 0 to 2 they do not swim
+//! directly apart.
 
-use std::f64::consts::{FRAC_PI_2, PI};
-
-use scene::{Gravity, Orientation, Pose, Repulsion, Scene, SceneError, Squirmer};
+use scene::Scene;
 
 use crate::CompareError;
+use crate::scene_file::paper_scene;
 
 /// Distance of the first and the last point from the edge of the plane. On the edge squirmers are parallel and never
 /// part.
@@ -16,9 +15,6 @@ const MARGIN: f64 = 0.01;
 
 /// Largest number of points a side.
 const MOST: usize = 2000;
-
-/// Half the initial distance of the centres, in radii.
-const HALF_DISTANCE: f64 = 1.5;
 
 /// A square grid of points in the plane. An even number of points a side avoids the singular lines `Delta = 1` and
 /// `Sigma = 1`.
@@ -68,27 +64,27 @@ pub struct Pair {
 }
 
 impl Pair {
-    /// The scene that starts at a point of the plane.
+    /// The scene that starts at a point of the plane, from the family `incoming-angles`.
     ///
     /// # Errors
-    /// [`SceneError`] for numbers that are not finite.
-    pub fn scene(&self, delta: f64, sigma: f64) -> Result<Scene, SceneError> {
-        let squirmer = Squirmer::with_beta(1.0, self.beta)?.bottom_heavy(self.g)?;
-        let pose = |side: f64, angle: f64| Pose {
-            position: [side * HALF_DISTANCE, 0.0, -side * 0.5 * self.dz].into(),
-            orientation: Orientation::Radians(angle),
-        };
-        let second = FRAC_PI_2 * (sigma + delta);
-        // Where Sigma = 1 the squirmers are mirror images of each other to the last bit.
-        let first = PI * (sigma - 1.0) - (second - PI);
-        let start = [pose(-1.0, first), pose(1.0, second)];
-        let gravity = (self.g != 0.0).then_some(Gravity::DOWN);
-        Scene::new([squirmer; 2], start, Some(Repulsion::PAPER), gravity)
+    /// [`CompareError::FamilyPoint`] for numbers that are not finite.
+    pub fn scene(&self, delta: f64, sigma: f64) -> Result<Scene, CompareError> {
+        let Self { beta, g, dz } = *self;
+        let values = [
+            ("beta", beta),
+            ("g", g),
+            ("dz", dz),
+            ("delta", delta),
+            ("sigma", sigma),
+        ];
+        paper_scene("incoming-angles", &values)
     }
 }
 
 /// One start without symmetry for each of `pairs`. It reads all loads that any other start reads.
-pub fn unsymmetric_starts(pairs: &[Pair]) -> impl Iterator<Item = Result<Scene, SceneError>> + '_ {
+pub fn unsymmetric_starts(
+    pairs: &[Pair],
+) -> impl Iterator<Item = Result<Scene, CompareError>> + '_ {
     pairs.iter().map(|pair| pair.scene(MARGIN, MARGIN))
 }
 

@@ -8,12 +8,12 @@ mod trust;
 
 use std::io::Write;
 
-use scene::{Hydrodynamics, RunOptions};
+use scene::RunOptions;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::output::{OutputFolder, csv_header};
-use crate::sweep::{Computed, Kept, Sweep, SweepOptions};
+use crate::sweep::{self, Computed, Kept, Sweep, SweepOptions};
 use crate::watch::notice;
 use crate::{CompareError, Model};
 
@@ -58,24 +58,14 @@ impl Maps<'_> {
 
     /// Everything that the rows depend on, in one line.
     fn key(&self) -> String {
-        let named = |model: &Model| format!("{} ({})", model.method(), model.fingerprint());
-        let models: Vec<_> = self.models.iter().map(|model| named(model)).collect();
-        let judge = self.exact.map_or(String::new(), |exact| {
-            format!(" judged by {}", named(exact))
-        });
         let pairs: Vec<_> = (self.pairs.iter())
             .map(|pair| format!("{:?}/{:?}/{:?}", pair.beta, pair.g, pair.dz))
             .collect();
-        format!(
-            "squirmers {} {}: {}{judge}; beta/g/dz {}; grid {}; {:?}",
-            env!("CARGO_PKG_VERSION"),
-            self.name,
-            models.join(", "),
-            pairs.join(", "),
-            self.grid.points(),
-            self.run_options(),
-        )
-        .replace('\n', " ")
+        let (pairs, points) = (pairs.join(", "), self.grid.points());
+        let judge = self.exact.map_or("", |_| "compared with the last model; ");
+        let rest = format!("{judge}beta/g/dz {pairs}; grid {points}");
+        let models = self.models.iter().chain(&self.exact).copied();
+        sweep::key(self.name, models, &self.run_options(), &rest)
     }
 
     fn run_options(&self) -> RunOptions {

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::grid::{Grid, Pair};
 use super::{Maps, SeeMap};
-use crate::encounter::FAILED;
+use crate::encounter::{FAILED, RunNumbers};
 use crate::output::csv_lines;
 use crate::{CompareError, Method, Model};
 
@@ -44,21 +44,27 @@ pub fn scatter_row(
     (delta, sigma): (f64, f64),
     options: &RunOptions,
 ) -> ScatterRow {
-    let run = (pair.scene(delta, sigma)).and_then(|scene| model.run(&scene, options));
-    let run = run.as_ref().ok();
-    let deflection =
-        |k: usize| run.map_or(f64::NAN, |run| run.deflections_rad()[k].to_degrees() + 0.0);
+    let run = model.attempt(pair.scene(delta, sigma), options);
+    let RunNumbers {
+        deflections_deg,
+        tau,
+        outcome,
+        min_gap,
+        ..
+    } = RunNumbers::of(&run);
+    // No negative zeros.
+    let [deflection1_deg, deflection2_deg] = deflections_deg.map(|angle| angle + 0.0);
     ScatterRow {
         method: model.method().name().to_owned(),
         beta: pair.beta,
         g: pair.g,
         delta,
         sigma,
-        deflection1_deg: deflection(0),
-        deflection2_deg: deflection(1),
-        tau: run.map_or(f64::NAN, |run| run.contact_time),
-        outcome: run.map_or(FAILED.to_owned(), |run| run.outcome.to_string()),
-        min_gap: run.map_or(f64::NAN, |run| run.min_gap),
+        deflection1_deg,
+        deflection2_deg,
+        tau,
+        outcome,
+        min_gap,
     }
 }
 

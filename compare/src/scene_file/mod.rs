@@ -22,6 +22,7 @@ use scene::{Plan, RunOptions, Scene};
 pub use effects::Hydrodynamics;
 pub use family::{Family, FamilyScene};
 pub use mistakes::{Mistake, Mistakes};
+pub(crate) use paper::paper_scene;
 pub use run::SAMPLE_INTERVAL;
 
 use crate::{Method, ModelOptions};

@@ -44,11 +44,11 @@ pub(crate) fn skipped(model: &Model, case: &Case) -> Encounter {
 
 pub(crate) fn encounter(model: &Model, case: &Case, options: &RunOptions) -> Encounter {
     let started = Instant::now();
-    let run = (case.scene()).and_then(|scene| model.run(&scene, options));
+    let run = model.attempt(case.scene(), options);
     Encounter {
         case: *case,
         method: model.method(),
-        run: run.map_err(|error| NoRun::Failed(error.to_string())),
+        run,
         seconds: started.elapsed().as_secs_f64(),
     }
 }

@@ -2,15 +2,15 @@
 
 use std::time::{Duration, Instant};
 
-use scene::{Hydrodynamics as _, Run};
+use scene::{Hydrodynamics as _, Run, RunOptions};
 use serde::{Deserialize, Serialize};
 
 use super::manifest::{SweepIdentity, measured};
 use super::merge::ROWS;
 use super::{Arithmetic, Computed, Done, Manifest, ManifestModel, Points, Row, Share, Sweep};
-use crate::encounter::{FAILED, SKIPPED};
+use crate::encounter::RunNumbers;
 use crate::output::{OutputFolder, csv_lines};
-use crate::{CompareError, Family, Method, Model};
+use crate::{CompareError, Family, Method, Model, NoRun};
 
 /// Name of the file of the rows, without its ending.
 const NAME: &str = "sweep";
@@ -53,28 +53,16 @@ struct Tail {
 }
 
 impl Tail {
-    fn of(method: Method, run: &Run) -> Self {
-        let [one, two] = run.deflections_rad().map(f64::to_degrees);
+    fn of(method: Method, run: &Result<Run, NoRun>) -> Self {
+        let run = RunNumbers::of(run);
         Self {
             method: method.name().to_owned(),
-            deflection1_deg: one,
-            deflection2_deg: two,
+            deflection1_deg: run.deflections_deg[0],
+            deflection2_deg: run.deflections_deg[1],
             min_gap: run.min_gap,
-            tau: run.contact_time,
-            outcome: run.outcome.to_string(),
-            steps: run.counters.steps,
-        }
-    }
-
-    fn without_run(method: Method, outcome: &str) -> Self {
-        Self {
-            method: method.name().to_owned(),
-            deflection1_deg: f64::NAN,
-            deflection2_deg: f64::NAN,
-            min_gap: f64::NAN,
-            tau: f64::NAN,
-            outcome: outcome.to_owned(),
-            steps: 0,
+            tau: run.tau,
+            outcome: run.outcome,
+            steps: run.steps,
         }
     }
 }
@@ -190,49 +178,43 @@ impl FamilySweep<'_> {
         let points = self.points.count();
         let (model, point) = (unit / points, unit % points);
         let values = self.points.values(point);
-        let run = (families[model].scene(&values))
-            .map_err(|mistakes| mistakes.to_string())
-            .and_then(|point| {
-                let options = self.points.options(point.run);
-                let run = self.models[model].run(&point.scene, &options);
-                run.map_err(|error| error.to_string())
-            });
-        let method = self.models[model].method();
-        match run {
-            Ok(run) => lines(&values, &Tail::of(method, &run), None),
-            Err(reason) => {
-                let failure = self.failure(method, &values, &reason);
-                lines(&values, &Tail::without_run(method, FAILED), Some(failure))
-            }
-        }
+        let model = &self.models[model];
+        let point = (families[unit / points].scene(&values)).map_err(CompareError::FamilyPoint);
+        let file = (point.as_ref()).map_or_else(|_| RunOptions::default(), |point| point.run);
+        let scene = point.map(|point| point.scene);
+        let run = model.attempt(scene, &self.points.options(file));
+        self.lines(model.method(), &values, &run)
     }
 
     fn skipped(&self, unit: usize) -> Result<Computed, CompareError> {
         let points = self.points.count();
         let values = self.points.values(unit % points);
         let method = self.models[unit / points].method();
-        lines(&values, &Tail::without_run(method, SKIPPED), None)
+        self.lines(method, &values, &Err(NoRun::Skipped))
     }
 
-    fn failure(&self, method: Method, values: &[(&str, f64)], reason: &str) -> String {
-        let at: Vec<String> = (values.iter())
-            .map(|(name, value)| format!("{name} = {value:?}"))
-            .collect();
-        let reason = reason.lines().next().unwrap_or_default();
-        format!("{method}, {}: {reason}", at.join(", "))
+    /// The line of a run, and the reason of a failure.
+    fn lines(
+        &self,
+        method: Method,
+        values: &[(&str, f64)],
+        run: &Result<Run, NoRun>,
+    ) -> Result<Computed, CompareError> {
+        let failure = match run {
+            Err(NoRun::Failed(reason)) => {
+                let at: Vec<String> = (values.iter())
+                    .map(|(name, value)| format!("{name} = {value:?}"))
+                    .collect();
+                Some(format!("{method}, {}: {reason}", at.join(", ")))
+            }
+            _ => None,
+        };
+        let values: Vec<f64> = values.iter().map(|(_, value)| *value).collect();
+        Ok(Computed {
+            lines: csv_lines(&[(values, Tail::of(method, run))])?,
+            failure,
+        })
     }
-}
-
-fn lines(
-    values: &[(&str, f64)],
-    tail: &Tail,
-    failure: Option<String>,
-) -> Result<Computed, CompareError> {
-    let values: Vec<f64> = values.iter().map(|(_, value)| *value).collect();
-    Ok(Computed {
-        lines: csv_lines(&[(values, tail)])?,
-        failure,
-    })
 }
 
 /// Fields as one CSV line, without its end.

@@ -1,7 +1,7 @@
-//! Keeps the finished chunks of a long sweep on disk, so that a sweep that was stopped can continue.
+//! Keeps the finished pieces of a long sweep on disk, so that a sweep that was stopped can continue.
 //!
-//! The first line of `NAME.csv.part` describes the sweep. Each chunk is appended as its lines and a line
-//! `done K CHECKSUM`. Text after the last such line is an unfinished chunk and is dropped. A chunk with a wrong
+//! The first line of `NAME.csv.part` describes the sweep. Each piece is appended as its lines and a line
+//! `done K CHECKSUM`. Text after the last such line is an unfinished piece and is dropped. A piece with a wrong
 //! checksum was edited or damaged: it is computed again, and a message reports it. A part file of another sweep is not
 //! read, and is deleted only if the user asks for it.
 
@@ -20,18 +20,18 @@ use crate::watch::{self, Keeping, Pieces, Progress, notice};
 
 const DONE: &str = "done ";
 
-/// The chunks of one sweep, on disk.
+/// The pieces of one sweep, on disk.
 pub(crate) struct Journal {
     path: PathBuf,
     key: String,
     kept: Mutex<Kept>,
 }
 
-/// The part file, and the position of the lines of each chunk in it.
+/// The part file, and the position of the lines of each piece in it.
 struct Kept {
     file: File,
     end: u64,
-    chunks: BTreeMap<usize, Place>,
+    pieces: BTreeMap<usize, Place>,
 }
 
 #[derive(Clone, Copy)]
@@ -43,25 +43,25 @@ struct Place {
 /// The part file of an earlier command.
 #[derive(Debug, PartialEq)]
 enum Found {
-    /// Chunks of this sweep; some may be damaged.
+    /// Pieces of this sweep; some may be damaged.
     Same { damaged: usize },
-    /// Chunks of another sweep.
-    Other { chunks: usize },
+    /// Pieces of another sweep.
+    Other { pieces: usize },
 }
 
 impl Journal {
-    /// Opens the journal of a sweep, with the chunks that are already finished. The line `key` describes the sweep.
+    /// Opens the journal of a sweep, with the pieces that are already finished. The line `key` describes the sweep.
     ///
     /// # Errors
-    /// [`CompareError::OtherSweep`] if this would delete chunks of another sweep and the user did not ask for it;
+    /// [`CompareError::OtherSweep`] if this would delete pieces of another sweep and the user did not ask for it;
     /// [`CompareError::Write`].
     pub(crate) fn open(out: &OutputFolder, name: &str, key: &str) -> Result<Self, CompareError> {
         let file_name = part_of(&format!("{name}.csv"));
         let path = out.path().join(&file_name);
         let failed = |source| out.failed(&file_name, source);
-        // The file is written again without the unfinished chunk.
+        // The file is written again without the unfinished piece.
         let mut anew = BufWriter::new(out.aside(&file_name)?);
-        let (mut chunks, mut end) = (BTreeMap::new(), key.len() as u64 + 1);
+        let (mut pieces, mut end) = (BTreeMap::new(), key.len() as u64 + 1);
         writeln!(anew, "{key}").map_err(failed)?;
         let earlier = match File::open(&path) {
             Ok(file) => Some(BufReader::new(file)),
@@ -69,13 +69,13 @@ impl Journal {
             Err(error) => return Err(failed(error)),
         };
         if let Some(earlier) = earlier {
-            let found = scan(earlier, key, |chunk, lines| {
+            let found = scan(earlier, key, |piece, lines| {
                 if out.is_fresh() {
                     return Ok(());
                 }
-                let entry = entry(key, chunk, lines);
+                let entry = entry(key, piece, lines);
                 let length = lines.len();
-                chunks.insert(chunk, Place { at: end, length });
+                pieces.insert(piece, Place { at: end, length });
                 end += (length + entry.len()) as u64;
                 anew.write_all(lines)?;
                 anew.write_all(entry.as_bytes())
@@ -86,7 +86,7 @@ impl Journal {
             .into_inner()
             .map_err(|error| failed(error.into_error()))?;
         let file = anew.persist(&path).map_err(|error| failed(error.error))?;
-        let kept = Kept { file, end, chunks };
+        let kept = Kept { file, end, pieces };
         out.takes(file_name);
         Ok(Self {
             path,
@@ -95,7 +95,7 @@ impl Journal {
         })
     }
 
-    /// Checks that [`Self::open`] would not delete chunks of another sweep. Changes nothing and reports nothing.
+    /// Checks that [`Self::open`] would not delete pieces of another sweep. Changes nothing and reports nothing.
     ///
     /// # Errors
     /// As [`Self::open`].
@@ -122,8 +122,8 @@ impl Journal {
         CompareError::Write { path, source }
     }
 
-    fn append(&self, chunk: usize, lines: &str) -> Result<(), CompareError> {
-        let entry = entry(&self.key, chunk, lines.as_bytes());
+    fn append(&self, piece: usize, lines: &str) -> Result<(), CompareError> {
+        let entry = entry(&self.key, piece, lines.as_bytes());
         let mut kept = self.kept();
         let at = kept.end;
         (kept.file.seek(SeekFrom::Start(at)))
@@ -131,19 +131,19 @@ impl Journal {
             .map_err(|source| self.failed(source))?;
         let length = lines.len();
         kept.end += (length + entry.len()) as u64;
-        kept.chunks.insert(chunk, Place { at, length });
+        kept.pieces.insert(piece, Place { at, length });
         Ok(())
     }
 
-    /// Whether a chunk is finished.
-    pub(crate) fn has(&self, chunk: usize) -> bool {
-        self.kept().chunks.contains_key(&chunk)
+    /// Whether a piece is finished.
+    pub(crate) fn has(&self, piece: usize) -> bool {
+        self.kept().pieces.contains_key(&piece)
     }
 
-    /// The lines of a chunk, if it is finished.
-    pub(crate) fn lines(&self, chunk: usize) -> Result<Option<String>, CompareError> {
+    /// The lines of a piece, if it is finished.
+    pub(crate) fn lines(&self, piece: usize) -> Result<Option<String>, CompareError> {
         let mut kept = self.kept();
-        let Some(&Place { at, length }) = kept.chunks.get(&chunk) else {
+        let Some(&Place { at, length }) = kept.pieces.get(&piece) else {
             return Ok(None);
         };
         let mut bytes = vec![0; length];
@@ -153,38 +153,38 @@ impl Journal {
         Ok(Some(String::from_utf8_lossy(&bytes).into_owned()))
     }
 
-    /// Deletes the part file, because its chunks are in the finished file.
+    /// Deletes the part file, because its pieces are in the finished file.
     pub(crate) fn close(self) -> Result<(), CompareError> {
         let path = self.path;
         std::fs::remove_file(&path).map_err(|source| CompareError::Write { path, source })
     }
 
-    /// Computes in parallel the chunks out of `0..chunks` that are not finished, and keeps them. Returns how many the
+    /// Computes in parallel the pieces out of `0..pieces` that are not finished, and keeps them. Returns how many the
     /// time limit left out.
     ///
     /// # Errors
     /// [`CompareError::Interrupted`] after an interrupt; [`CompareError::Write`]; the errors of `compute`.
     pub(crate) fn run(
         &self,
-        chunks: usize,
+        pieces: usize,
         what: &'static str,
         time_limit: Option<Duration>,
         compute: impl Fn(usize) -> Result<String, CompareError> + Sync,
     ) -> Result<usize, CompareError> {
         let started = Instant::now();
-        let pending: Vec<usize> = (0..chunks).filter(|&chunk| !self.has(chunk)).collect();
+        let pending: Vec<usize> = (0..pieces).filter(|&piece| !self.has(piece)).collect();
         let progress = Progress::begin(what, pending.len(), Pieces::Alike);
         let _keeping = Keeping::begin();
         let left = (pending.into_par_iter())
-            // Chunks take different times, so each free thread takes the next one.
+            // Pieces take different times, so each free thread takes the next one.
             .with_max_len(1)
-            .map(|chunk| -> Result<usize, CompareError> {
+            .map(|piece| -> Result<usize, CompareError> {
                 let late = time_limit.is_some_and(|limit| started.elapsed() >= limit);
                 if late || watch::stop_requested() {
                     return Ok(1);
                 }
-                let lines = compute(chunk)?;
-                self.append(chunk, &lines)?;
+                let lines = compute(piece)?;
+                self.append(piece, &lines)?;
                 progress.advance();
                 Ok(0)
             })
@@ -193,7 +193,7 @@ impl Journal {
             let path = self.path.clone();
             return Err(CompareError::Interrupted {
                 left,
-                chunks,
+                pieces,
                 what,
                 path,
             });
@@ -203,18 +203,18 @@ impl Journal {
 }
 
 impl Found {
-    /// Returns an error if chunks of another sweep would be deleted.
+    /// Returns an error if pieces of another sweep would be deleted.
     fn refuse_other(&self, path: &std::path::Path, fresh: bool) -> Result<(), CompareError> {
         match *self {
-            Self::Other { chunks } if chunks > 0 && !fresh => Err(CompareError::OtherSweep {
+            Self::Other { pieces } if pieces > 0 && !fresh => Err(CompareError::OtherSweep {
                 path: path.to_owned(),
-                chunks,
+                pieces,
             }),
             _ => Ok(()),
         }
     }
 
-    /// Reports damaged or deleted chunks; returns an error if chunks of another sweep would be deleted.
+    /// Reports damaged or deleted pieces; returns an error if pieces of another sweep would be deleted.
     fn judge(&self, path: &std::path::Path, fresh: bool) -> Result<(), CompareError> {
         self.refuse_other(path, fresh)?;
         match *self {
@@ -229,16 +229,16 @@ impl Found {
     }
 }
 
-/// The line that ends a chunk.
-fn entry(key: &str, chunk: usize, lines: &[u8]) -> String {
+/// The line that ends a piece.
+fn entry(key: &str, piece: usize, lines: &[u8]) -> String {
     let mut checksum = crc32fast::Hasher::new();
     checksum.update(key.as_bytes());
-    checksum.update(&chunk.to_le_bytes());
+    checksum.update(&piece.to_le_bytes());
     checksum.update(lines);
-    format!("{DONE}{chunk} {:08x}\n", checksum.finalize())
+    format!("{DONE}{piece} {:08x}\n", checksum.finalize())
 }
 
-/// Reads the finished chunks from a part file of the sweep `key`.
+/// Reads the finished pieces from a part file of the sweep `key`.
 fn scan(
     mut text: impl BufRead,
     key: &str,
@@ -247,7 +247,7 @@ fn scan(
     let mut line = Vec::new();
     text.read_until(b'\n', &mut line)?;
     let same = line.strip_suffix(b"\n") == Some(key.as_bytes());
-    let (mut lines, mut chunks, mut damaged) = (Vec::new(), 0, 0);
+    let (mut lines, mut pieces, mut damaged) = (Vec::new(), 0, 0);
     loop {
         line.clear();
         text.read_until(b'\n', &mut line)?;
@@ -260,14 +260,14 @@ fn scan(
             }
             continue;
         };
-        chunks += 1;
+        pieces += 1;
         if same {
             let number = String::from_utf8_lossy(end);
-            let chunk = number
+            let piece = number
                 .split_once(' ')
-                .and_then(|(chunk, _)| chunk.parse().ok());
-            match chunk.filter(|&chunk| entry(key, chunk, &lines).as_bytes() == line) {
-                Some(chunk) => take(chunk, &lines)?,
+                .and_then(|(piece, _)| piece.parse().ok());
+            match piece.filter(|&piece| entry(key, piece, &lines).as_bytes() == line) {
+                Some(piece) => take(piece, &lines)?,
                 None => damaged += 1,
             }
             lines.clear();
@@ -276,7 +276,7 @@ fn scan(
     Ok(if same {
         Found::Same { damaged }
     } else {
-        Found::Other { chunks }
+        Found::Other { pieces }
     })
 }
 
@@ -285,39 +285,39 @@ mod tests {
     use super::*;
 
     fn whole(text: &str, key: &str) -> (Found, BTreeMap<usize, String>) {
-        let mut chunks = BTreeMap::new();
-        let found = scan(text.as_bytes(), key, |chunk, lines| {
-            chunks.insert(chunk, String::from_utf8_lossy(lines).into_owned());
+        let mut pieces = BTreeMap::new();
+        let found = scan(text.as_bytes(), key, |piece, lines| {
+            pieces.insert(piece, String::from_utf8_lossy(lines).into_owned());
             Ok(())
         });
-        (found.unwrap(), chunks)
+        (found.unwrap(), pieces)
     }
 
     #[test]
-    fn a_torn_chunk_is_dropped_and_another_sweep_is_not_read() {
+    fn a_torn_piece_is_dropped_and_another_sweep_is_not_read() {
         let [four, zero] = [(4, "a,1\nb,2\n"), (0, "c,3\n")]
             .map(|(k, lines)| format!("{lines}{}", entry("key", k, lines.as_bytes())));
         let text = format!("key\n{four}{zero}d,4\ndon");
-        let (found, chunks) = whole(&text, "key");
+        let (found, pieces) = whole(&text, "key");
         assert_eq!(found, Found::Same { damaged: 0 });
-        assert_eq!(chunks.len(), 2);
-        assert_eq!(chunks[&4], "a,1\nb,2\n");
-        assert_eq!(chunks[&0], "c,3\n");
-        let (found, chunks) = whole(&text, "other");
-        assert!(chunks.is_empty());
-        assert_eq!(found, Found::Other { chunks: 2 });
+        assert_eq!(pieces.len(), 2);
+        assert_eq!(pieces[&4], "a,1\nb,2\n");
+        assert_eq!(pieces[&0], "c,3\n");
+        let (found, pieces) = whole(&text, "other");
+        assert!(pieces.is_empty());
+        assert_eq!(found, Found::Other { pieces: 2 });
         assert!(whole("key\na,1\ndone 1", "key").1.is_empty());
     }
 
     #[test]
-    fn a_chunk_that_was_edited_is_told_from_one_that_was_not() {
+    fn a_piece_that_was_edited_is_told_from_one_that_was_not() {
         let lines = "a,1\nb,2\n";
         let text = format!("key\n{lines}{}", entry("key", 4, lines.as_bytes()));
         assert_eq!(whole(&text, "key").1.len(), 1);
         for (from, to) in [("b,2", "b,3"), ("done 4", "done 5"), ("a,1\n", "")] {
-            let (found, chunks) = whole(&text.replace(from, to), "key");
+            let (found, pieces) = whole(&text.replace(from, to), "key");
             assert_eq!(found, Found::Same { damaged: 1 }, "{from} for {to}");
-            assert!(chunks.is_empty());
+            assert!(pieces.is_empty());
         }
     }
 
@@ -327,17 +327,17 @@ mod tests {
         let out = OutputFolder::open(folder.path()).unwrap();
         let line = |k: usize| Ok(format!("row {k}\n"));
         let journal = Journal::open(&out, "sweep", "key").unwrap();
-        let none = journal.run(3, "chunks", Some(Duration::ZERO), line);
+        let none = journal.run(3, "pieces", Some(Duration::ZERO), line);
         assert_eq!(none.unwrap(), 3);
         let two = Journal::open(&out, "sweep", "key").unwrap();
-        two.run(2, "chunks", None, line).unwrap();
+        two.run(2, "pieces", None, line).unwrap();
         assert!(matches!(
             Journal::open(&out, "sweep", "another"),
-            Err(CompareError::OtherSweep { chunks: 2, .. })
+            Err(CompareError::OtherSweep { pieces: 2, .. })
         ));
         let rest = Journal::open(&out, "sweep", "key").unwrap();
-        let left = rest.run(3, "chunks", None, |k| {
-            assert_eq!(k, 2, "finished chunks are not computed again");
+        let left = rest.run(3, "pieces", None, |k| {
+            assert_eq!(k, 2, "finished pieces are not computed again");
             line(k)
         });
         assert_eq!(left.unwrap(), 0);

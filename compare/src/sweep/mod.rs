@@ -18,6 +18,7 @@ pub use encounters::{encounters, offsets, with_offsets};
 pub use family_sweep::{FamilySweep, SweepRow};
 pub use manifest::{Arithmetic, Axis, Manifest, ManifestModel, SweepIdentity};
 pub use merge::{Merged, merge};
+pub(crate) use pieces::key;
 pub use pieces::{Computed, Done, Kept, Row, Sweep};
 pub use points::{Points, RunChoices};
 pub use share::Share;

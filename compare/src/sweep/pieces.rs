@@ -8,11 +8,13 @@ use std::time::Duration;
 
 use serde::de::DeserializeOwned;
 
+use scene::{Hydrodynamics as _, RunOptions};
+
 use super::journal::Journal;
-use crate::CompareError;
 use crate::encounter::{FAILED, SKIPPED};
 use crate::output::{OutputFolder, rows_of};
 use crate::watch::notice;
+use crate::{CompareError, Model};
 
 /// Number of pieces of a large sweep.
 const PIECES: usize = 1000;
@@ -77,6 +79,21 @@ impl Done {
     pub fn is_complete(&self) -> bool {
         self.skipped == 0
     }
+}
+
+/// Everything that the rows of a file depend on, in one line: the version, the models, the options of each run, and `rest`.
+pub(crate) fn key<'m>(
+    name: &str,
+    models: impl IntoIterator<Item = &'m Model>,
+    run: &RunOptions,
+    rest: &str,
+) -> String {
+    let models: Vec<_> = (models.into_iter())
+        .map(|model| format!("{} ({})", model.method(), model.fingerprint()))
+        .collect();
+    let version = env!("CARGO_PKG_VERSION");
+    let models = models.join(", ");
+    format!("squirmers {version} {name}: {models}; {rest}; {run:?}").replace('\n', " ")
 }
 
 impl<'a> Sweep<'a> {
@@ -193,7 +210,7 @@ impl Kept<'_> {
 
     /// Writes the line `header` and all rows to the file, and passes each row to `see`, in order. The function
     /// `skipped` gives the lines of a unit that the time limit left out. A file that already has more finished rows is
-    /// not changed. Reports failed runs and runs that were left out.
+    /// not changed. Reports failed runs and runs that were left out, and counts them in the account of the folder.
     ///
     /// # Errors
     /// [`CompareError::Write`]; [`CompareError::Rows`].
@@ -250,6 +267,8 @@ impl Kept<'_> {
                 done.rows
             );
         }
+        out.account().failed(done.failed);
+        out.account().skipped(done.skipped);
         if self.left == 0 {
             self.close()?;
         }

@@ -7,12 +7,10 @@ use super::shared::{model_options, set_up, sweep_options};
 use crate::arguments::{GeneralArguments, ModelArguments, RunArguments};
 use crate::error::CommandError;
 use crate::pictures;
-use crate::streams::complain;
 use crate::terminal::print_rows;
-use compare::bottom_heavy::{PanelCase, PanelRun, panel_runs};
+use compare::Defaults;
+use compare::bottom_heavy::{PanelCase, PanelRun, Panels};
 use compare::numbers::{rounded, written};
-use compare::output::csv_text;
-use compare::{Defaults, NoRun};
 
 /// The argument `--time-limit` of this command. The command keeps no finished runs, because its picture needs whole
 /// runs.
@@ -35,29 +33,14 @@ pub(super) fn run(
     let options = options.for_scenes(panels.iter().map(PanelCase::scene))?;
     let models = set_up(&methods, &options)?;
     let models: Vec<_> = models.iter().collect();
-    let runs = panel_runs(&models, &panels, &sweep);
-    let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
-    let stopped = out.account().enter(runs.iter().map(|run| &run.run));
-    if stopped && out.holds("bottom-heavy.csv") {
-        complain!("'bottom-heavy.csv' already has more rows and is not changed");
-    } else {
-        out.write("bottom-heavy.csv", &csv_text(&rows)?)?;
-    }
-    if !stopped && let Some(picture) = pictures::of_bottom_heavy(&runs)? {
+    let Panels { runs, .. } = Panels::run("bottom-heavy", &models, &panels, &sweep, &out)?;
+    if !out.account().stopped()
+        && let Some(picture) = pictures::of_bottom_heavy(&runs)?
+    {
         out.write(&picture.file_name, &picture.svg)?;
     }
     print(&runs);
-    for run in &runs {
-        if let Err(reason) = &run.run {
-            complain!("{}", failure(run, reason));
-        }
-    }
     Ok(out.account().verdict()?)
-}
-
-/// A message about a run without a result.
-pub(crate) fn failure(run: &PanelRun, reason: &NoRun) -> String {
-    format!("panel {}, {}: {reason}", run.case.panel, run.method)
 }
 
 fn print(runs: &[PanelRun]) {

@@ -76,7 +76,7 @@ pub(crate) fn cases(
                 };
                 case.scene().map_err(|error| {
                     let value = format!("{dx:?} with --dz {dz:?} and --beta {beta:?}");
-                    CommandError::input("--dx", value, error.to_string())
+                    CommandError::input("--dx", value, error.in_one_line())
                 })?;
                 cases.push(case);
             }

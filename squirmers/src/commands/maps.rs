@@ -3,7 +3,7 @@
 use clap::{Arg, Args};
 
 use super::shared::{model_options, set_up, sweep_options};
-use crate::arguments::{GeneralArguments, ModelArguments, RunArguments};
+use crate::arguments::{GeneralArguments, ModelArguments, RunArguments, methods_help};
 use crate::error::CommandError;
 use crate::pictures::{self, Picture};
 use crate::streams::say;
@@ -44,7 +44,7 @@ pub(crate) struct MapArguments {
 
 /// The argument `--method` of a map.
 pub(crate) fn methods(arg: Arg) -> Arg {
-    arg.help("Methods: lt (as published), lt-corrected, exact, bem [default: lt,exact]")
+    arg.help(methods_help("lt,exact"))
 }
 
 /// The argument `--tol` of a map.

@@ -10,7 +10,7 @@ use compare::{CompareError, Family, ModelOptions};
 use super::many::{keep_first, print_rest};
 use super::maps::METHODS;
 use super::shared::{checked_limits, checked_tolerance, model_options, set_up};
-use crate::arguments::{GeneralArguments, LimitArguments, ModelArguments};
+use crate::arguments::{GeneralArguments, LimitArguments, ModelArguments, methods_help};
 use crate::error::CommandError;
 use crate::streams::{complain, say};
 use crate::terminal::print_rows;
@@ -44,9 +44,7 @@ pub(crate) struct MergeArguments {
 
 /// The argument `--method` of a sweep.
 pub(crate) fn methods(arg: Arg) -> Arg {
-    arg.help(
-        "Methods: lt (as published), lt-corrected, exact, bem [default: the family's, or else lt,exact]",
-    )
+    arg.help(methods_help("the family's, or else lt,exact"))
 }
 
 /// The argument `--time-limit` of a sweep.
@@ -64,15 +62,11 @@ fn parse_vary(text: &str) -> Result<(String, Numbers), String> {
 
 /// The family: one of the paper's by its name, or else from a file.
 fn family(named: &str) -> Result<Family, CommandError> {
-    let paper = (Family::PAPER.iter()).find(|(name, _)| *name == named);
-    let (path, text) = match paper {
-        Some((_, text)) => (PathBuf::from(named), (*text).to_owned()),
-        None => {
-            let path = PathBuf::from(named);
-            let text = super::scene::text(&path)?;
-            (path, text)
-        }
-    };
+    if let Some(family) = Family::named(named) {
+        return Ok(family.clone());
+    }
+    let path = PathBuf::from(named);
+    let text = super::scene::text(&path)?;
     let parsed = Family::parse(&text);
     Ok(parsed.map_err(|mistakes| CompareError::SceneFile { path, mistakes })?)
 }
@@ -118,8 +112,6 @@ pub(super) fn run(
         first.iter().map(|row| printed(row, points.axes().len())),
     );
     print_rest(done.rows, "sweep");
-    out.account().failed(done.failed);
-    out.account().skipped(done.skipped);
     Ok(out.account().verdict()?)
 }
 

@@ -84,6 +84,6 @@ fn places(names: &[&str]) -> Vec<(usize, usize)> {
 }
 
 fn stroke(method: Method) -> Stroke {
-    let index = Method::ALL.iter().position(|m| *m == method).unwrap_or(0);
+    let index = method.place();
     Stroke::new(colour(index), 2.0, Dash::of(index))
 }

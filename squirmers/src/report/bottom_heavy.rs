@@ -1,16 +1,15 @@
 //! The section on bottom-heavy squirmers: the panels of Fig. 8(a-f), and the shares of orbits (Fig. 8g).
 
-use crate::commands::bottom_heavy::failure;
 use crate::error::CommandError;
 use crate::page::{Figure, Section, Table};
 use crate::{figures, pictures};
-use compare::bottom_heavy::{PanelRun, panel_runs};
+use compare::bottom_heavy::{PanelRun, Panels};
 use compare::maps::{Grid, Maps, Pair};
 use compare::output::{OutputFolder, csv_text};
 use compare::sweep::SweepOptions;
 use compare::{Defaults, Model};
 
-use super::{findings, words, write_unless_less, written};
+use super::{findings, words, written};
 
 /// Points a side of the maps for the shares. A share of 20 % then has a standard error of 3 %.
 const GRID: usize = 14;
@@ -51,18 +50,15 @@ pub(super) fn section(
     sweep: &SweepOptions,
     out: &OutputFolder,
 ) -> Result<(Section, Vec<String>), CommandError> {
-    let runs = panel_runs(models, &Defaults::paper()?.bottom_heavy, sweep);
-    let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
+    let panels = Defaults::paper()?.bottom_heavy;
+    let Panels { runs, csv } = Panels::run("bottom-heavy", models, &panels, sweep, out)?;
     let summary: Vec<_> = runs.iter().map(PanelRun::summary).collect();
-    let trajectories = csv_text(&rows)?;
-    out.account().enter(runs.iter().map(|run| &run.run));
-    write_unless_less("bottom-heavy.csv", &trajectories, out)?;
     let picture = pictures::of_bottom_heavy(&runs)?;
 
     let orbits = orbit_maps(models, sweep, out)?.fates()?;
     let mut shown = written(picture.into_iter().collect(), out)?;
     let mut tables = vec![Table {
-        csv: trajectories,
+        csv,
         file_name: "bottom-heavy.csv".to_owned(),
         ..Table::from_rows(
             "Outcome of each panel's pair at t = 200, and its depth divided by the depth of two lone squirmers. The \
@@ -95,9 +91,6 @@ pub(super) fn section(
         figures: shown,
         tables,
     };
-    let failures = runs.iter().filter_map(|run| {
-        let reason = run.run.as_ref().err()?;
-        Some(failure(run, reason))
-    });
+    let failures = runs.iter().filter_map(PanelRun::failure);
     Ok((section, failures.collect()))
 }

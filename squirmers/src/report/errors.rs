@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use scene::Hydrodynamics;
 
-use super::{LOADS, findings, words, write_unless_less};
+use super::{LOADS, findings, words};
 use crate::error::CommandError;
 use crate::figures;
 use crate::page::{Figure, Section, Table};
@@ -47,7 +47,7 @@ pub(super) fn section(
     let svg = figures::load_errors(&errors)?;
     out.write("load-errors.svg", &svg)?;
     let comparison_csv = csv_text(&comparison(&encounters))?;
-    write_unless_less("comparison.csv", &comparison_csv, out)?;
+    out.write_unless_less("comparison.csv", &comparison_csv)?;
     Ok(Section {
         id: "errors".to_owned(),
         title: "How far each method is from the exact answer".to_owned(),

@@ -150,14 +150,6 @@ fn check_kept(
     Ok(kept_rows("offset", models, &cases, sweep, out).check_offsets(&dz)?)
 }
 
-/// Writes a file, unless the time limit left something out and an earlier command wrote this file.
-fn write_unless_less(name: &str, text: &str, out: &OutputFolder) -> Result<(), CommandError> {
-    if !(out.account().stopped() && out.holds(name)) {
-        out.write(name, text)?;
-    }
-    Ok(())
-}
-
 /// The content of the page so far.
 #[derive(Default)]
 struct Content {
@@ -268,7 +260,7 @@ fn captioned(svg: &str, text: &str) -> String {
 fn written(pictures: Vec<Picture>, out: &OutputFolder) -> Result<Vec<Figure>, CommandError> {
     (pictures.into_iter())
         .map(|Picture { file_name, svg }| {
-            write_unless_less(&file_name, &svg, out)?;
+            out.write_unless_less(&file_name, &svg)?;
             Ok(Figure {
                 caption: captioned(&svg, words::caption(&file_name)),
                 svg,

@@ -2,12 +2,12 @@
 
 use serde::Serialize;
 
-use super::{write_unless_less, written};
+use super::written;
 use crate::error::CommandError;
 use crate::page::{Section, Table};
 use crate::pictures;
-use compare::bottom_heavy::{PanelRun, panel_runs};
-use compare::output::{OutputFolder, csv_text};
+use compare::bottom_heavy::{PanelRun, Panels};
+use compare::output::OutputFolder;
 use compare::sweep::SweepOptions;
 use compare::{Defaults, Model};
 
@@ -22,17 +22,12 @@ pub(super) fn section(
         ("outcomes", "What can become of a pair", defaults.outcome),
         ("examples", "Neutral squirmers meet", defaults.example),
     ] {
-        let runs = panel_runs(models, &panels, sweep);
-        let rows: Vec<_> = runs.iter().flat_map(PanelRun::trajectory).collect();
-        let csv = csv_text(&rows)?;
-        let file_name = format!("{name}.csv");
-        out.account().enter(runs.iter().map(|run| &run.run));
-        write_unless_less(&file_name, &csv, out)?;
+        let Panels { runs, csv } = Panels::run(name, models, &panels, sweep, out)?;
         let drawn = pictures::of_panels(&format!("{name}.svg"), title, &runs)?;
         figures.extend(written(drawn.into_iter().collect(), out)?);
         let summary: Vec<_> = runs.iter().map(ExampleRow::of).collect();
         let caption = "Outcome of each pair. The linked file has the trajectories.";
-        let table = Table::from_rows(caption, &file_name, &summary)?;
+        let table = Table::from_rows(caption, &format!("{name}.csv"), &summary)?;
         tables.push(Table { csv, ..table });
     }
     Ok(Section {

@@ -38,7 +38,7 @@ fn called(method: &str) -> &str {
         Some(Method::Exact) => "exact hydrodynamics",
         Some(Method::Bem) => "boundary elements",
         Some(Method::Isolated) => "no interaction",
-        None => method,
+        Some(Method::Other(_)) | None => method,
     }
 }
 
