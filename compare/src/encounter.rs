@@ -187,12 +187,12 @@ columns! {
         /// Offset out of the plane: squirmer 1 starts at `z = dz/2`, squirmer 2 at `z = -dz/2`.
         #[unit = "a"]
         pub dz: f64,
-        /// Angle between the outgoing orientations of squirmer 1 with and without the offset, from 0 to 180. NaN if one of the
-        /// two runs has no outgoing orientation.
+        /// Angle between the outgoing orientations of squirmer 1 with and without the offset, from 0 to 180. NaN if one
+        /// of the two runs has no outgoing orientation.
         #[unit = "deg"]
         pub change1_deg: f64,
-        /// Angle between the outgoing orientations of squirmer 2 with and without the offset, from 0 to 180. NaN if one of the
-        /// two runs has no outgoing orientation.
+        /// Angle between the outgoing orientations of squirmer 2 with and without the offset, from 0 to 180. NaN if one
+        /// of the two runs has no outgoing orientation.
         #[unit = "deg"]
         pub change2_deg: f64,
         /// Smallest gap during the run with the offset.

@@ -152,10 +152,14 @@ Every CSV file that a command writes has a header line with the names of its col
 without rows is empty. This page is made from the code by
 `cargo run -p squirmers-compare --example columns > docs/COLUMNS.md`.
 
-`NaN` stands for a number that does not exist, for example because the run failed or was skipped. Squirmers have the
-numbers 1 and 2. The gap is the distance between their surfaces. Words for outcomes are explained at `fates.csv`. In
-addition, `contact` means that the spheres touched, `unresolved` that the gap became too small for the model, `failed`
-that the run failed, and `skipped` that the time limit left it out.
+Squirmers have the numbers 1 and 2. The gap is the distance between their surfaces. A deflection is the outgoing minus
+the incoming angle of a squirmer's orientation, projected on the x-y plane; it may exceed 360 degrees. Outgoing means at
+infinite distance if the pair parts without gravity, and at the end of the run otherwise.
+
+The words for outcomes are those of the columns of [fates.csv](#fatescsv). In addition, `contact` means that the spheres
+touched, `unresolved` that the gap became too small for the model, `failed` that the run failed, and `skipped` that the
+time limit left it out. `NaN` stands for a number that does not exist: runs with one of these four outcomes have no
+deflections.
 ";
 
 /// The text of `docs/COLUMNS.md`.

@@ -48,7 +48,8 @@ pub fn names(columns: &[Column]) -> Vec<&'static str> {
     columns.iter().map(|column| column.name).collect()
 }
 
-/// Defines the struct of a row and its [`Columns`]. Each field has documentation, then `#[unit = "..."]`, then other attributes.
+/// Defines the struct of a row and its [`Columns`]. Each field has documentation, then `#[unit = "..."]`, then other
+/// attributes.
 macro_rules! columns {
     (
         $(#[doc = $about:literal])+

@@ -33,12 +33,13 @@ impl fmt::Display for Part {
 }
 
 columns! {
-    /// A row for each measurement. Numbers that do not apply, or that failed, are NaN. Errors of loads are relative to the larger
-    /// of the load and 1. Errors of trajectories are those of the outgoing angles, in degrees. Errors of velocities are in `V_s`.
+    /// A row for each measurement. Numbers that do not apply, or that failed, are NaN. Errors of loads are relative to
+    /// the larger of the load and 1. Errors of trajectories are those of the outgoing angles, in degrees. Errors of
+    /// velocities are in `V_s`.
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     pub struct CostRow {
-        /// The kind of measurement: `loads` at a gap, `deflection` (a trajectory), `scaling` (time as a function of the number
-        /// of unknowns or trajectories), or `profile` (the parts of a trajectory).
+        /// The kind of measurement: `loads` at a gap, `deflection` (a trajectory), `scaling` (time as a function of the
+        /// number of unknowns or trajectories), or `profile` (the parts of a trajectory).
         #[unit = "-"]
         pub part: Part,
         /// The model. `-table` means that its loads are read from a table; a number is the level of boundary elements.

@@ -8,8 +8,8 @@ use crate::columns::columns;
 use crate::{CompareError, Method, Model};
 
 columns! {
-    /// A row for each bound state of two equal squirmers: a fixed point of the gap and of the orientations relative to the line
-    /// of centres. Its mirror image, and the state with the two squirmers exchanged, are bound states too.
+    /// A row for each bound state of two equal squirmers: a fixed point of the gap and of the orientations relative to
+    /// the line of centres. Its mirror image, and the state with the two squirmers exchanged, are bound states too.
     #[derive(Clone, Debug, PartialEq, Serialize)]
     pub struct BoundRow {
         /// Name of the method.
@@ -88,9 +88,9 @@ fn states(model: &Model, squirmer: &Squirmer) -> Result<Vec<BoundState>, SceneEr
 }
 
 columns! {
-    /// A row for each two outcomes of a pair of which one is a bound state and the other is not: a start with these outcomes, and
-    /// whether the other model has the bound state at all. If both models bind the pair, the state is the one of lubrication
-    /// theory.
+    /// A row for each two outcomes of a pair of which one is a bound state and the other is not: a start with these
+    /// outcomes, and whether the other model has the bound state at all. If both models bind the pair, the state is the
+    /// one of lubrication theory.
     #[derive(Clone, Debug, PartialEq, Serialize)]
     pub struct BoundExample {
         /// Name of the form of lubrication theory.

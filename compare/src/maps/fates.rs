@@ -11,8 +11,8 @@ use crate::output::csv_lines;
 use crate::{CompareError, Method, Model};
 
 columns! {
-    /// A row for each method and pair: the share of each outcome among all points of a grid of initial angles. Shares are from
-    /// 0 to 1.
+    /// A row for each method and pair: the share of each outcome among all points of a grid of initial angles. Shares
+    /// are from 0 to 1.
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     pub struct FateRow {
         /// Name of the method.
@@ -24,8 +24,8 @@ columns! {
         /// Bottom-heaviness of both squirmers; 0 if gravity does not turn them.
         #[unit = "-"]
         pub g: f64,
-        /// Share of pairs that part. Under gravity: share of pairs that are apart (gap above 1) at the end, unless gravity has
-        /// righted both squirmers.
+        /// Share of pairs that part. Under gravity: share of pairs that are apart (gap above 1) at the end, unless
+        /// gravity has righted both squirmers.
         #[unit = "-"]
         pub scattered: f64,
         /// Share of pairs that stay bound at rest, facing each other.
@@ -55,8 +55,8 @@ columns! {
         /// Share of runs without a result: they failed, or the gap became too small for the model.
         #[unit = "-"]
         pub failed: f64,
-        /// Standard error of the share of bound pairs, as if the points were drawn at random. The error of a regular grid is
-        /// smaller.
+        /// Standard error of the share of bound pairs, as if the points were drawn at random. The error of a regular
+        /// grid is smaller.
         #[unit = "-"]
         pub sampling_error: f64,
         /// Number of points of the grid.

@@ -11,9 +11,7 @@ use crate::output::csv_lines;
 use crate::{CompareError, Method, Model};
 
 columns! {
-    /// A row for each method, pair and point of the grid of initial angles. If the pair parts without gravity, deflections are
-    /// limits at infinite distance. Otherwise they are the change of the angle up to the end of the run. They may exceed 360
-    /// degrees. A run that failed has NaN.
+    /// A row for each method, pair and point of the grid of initial angles. A run without a result has NaN.
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     pub struct ScatterRow {
         /// Name of the method.

@@ -12,9 +12,8 @@ use crate::encounter::FAILED;
 use crate::output::csv_lines;
 
 columns! {
-    /// A row for each form of lubrication theory, pair and point of the grid of initial angles. Differences are deflections by
-    /// lubrication theory minus exact deflections. For a pair that stays bound they are differences of the changes of the angles
-    /// up to the end of the run.
+    /// A row for each form of lubrication theory, pair and point of the grid of initial angles. Differences are deflections
+    /// by lubrication theory minus exact deflections.
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     pub struct TrustRow {
         /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
@@ -32,10 +31,10 @@ columns! {
         /// Outcome by exact hydrodynamics.
         #[unit = "-"]
         pub outcome_exact: String,
-        /// Difference for squirmer 1. NaN if a run failed.
+        /// Difference for squirmer 1. NaN if one of the two runs has no deflection.
         #[unit = "deg"]
         pub difference1_deg: f64,
-        /// Difference for squirmer 2. NaN if a run failed.
+        /// Difference for squirmer 2. NaN if one of the two runs has no deflection.
         #[unit = "deg"]
         pub difference2_deg: f64,
         /// Name of the form of lubrication theory.
@@ -113,8 +112,8 @@ pub const CLASSES: [&str; 7] = [
 ];
 
 columns! {
-    /// A row for each form of lubrication theory and pair: the share of initial angles in each class of trust. Shares are from 0
-    /// to 1. The difference of a pair is the larger of those of its two squirmers.
+    /// A row for each form of lubrication theory and pair: the share of initial angles in each class of trust. Shares
+    /// are from 0 to 1. The difference of a pair is the larger of those of its two squirmers.
     #[derive(Clone, Debug, PartialEq, Serialize)]
     pub struct TrustShares {
         /// Name of the form of lubrication theory.

@@ -42,8 +42,8 @@ columns! {
         /// Deflection by boundary elements, minus the exact one.
         #[unit = "deg"]
         pub bem_error_deg: f64,
-        /// Outcome by lubrication theory as published, then outcome by exact hydrodynamics, with ` / ` between. A dash for a
-        /// method that was not requested.
+        /// Outcome by lubrication theory as published, then outcome by exact hydrodynamics, with ` / ` between. A dash
+        /// for a method that was not requested.
         #[unit = "-"]
         pub outcomes: String,
     }

@@ -8,7 +8,8 @@ use crate::columns::columns;
 use crate::{Method, Model};
 
 columns! {
-    /// A row for each method, gap and load. `scene::loads` defines the loads; they are pure numbers, for viscosity 1 and radius 1.
+    /// A row for each method, gap and load. `scene::loads` defines the loads; they are pure numbers, for viscosity 1
+    /// and radius 1.
     #[derive(Clone, Debug, PartialEq, Serialize)]
     pub struct LoadErrorRow {
         /// Name of the method.

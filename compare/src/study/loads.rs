@@ -13,7 +13,8 @@ use crate::{CompareError, Method, Model, ModelOptions};
 const SOLVED: usize = 40;
 
 columns! {
-    /// A row for each method, gap and load. `scene::loads` defines the loads; they are pure numbers, for viscosity 1 and radius 1.
+    /// A row for each method, gap and load. `scene::loads` defines the loads; they are pure numbers, for viscosity 1
+    /// and radius 1.
     #[derive(Clone, Debug, PartialEq, Serialize)]
     pub struct LoadRow {
         /// Name of the method.
@@ -28,8 +29,8 @@ columns! {
         /// The load.
         #[unit = "-"]
         pub value: f64,
-        /// The model's own estimate of its error, divided by the load or by 1, whichever is larger. `none` for a closed form,
-        /// which has no estimate.
+        /// The model's own estimate of its error, divided by the load or by 1, whichever is larger. `none` for a closed
+        /// form, which has no estimate.
         #[unit = "-"]
         pub error_estimate: String,
     }

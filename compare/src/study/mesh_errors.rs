@@ -36,8 +36,8 @@ columns! {
         /// Name of the load with the largest error.
         #[unit = "-"]
         pub load: String,
-        /// Observed order of convergence: the power of the node spacing with which the error fell from the level before. NaN for
-        /// the first level of a gap.
+        /// Observed order of convergence: the power of the node spacing with which the error fell from the level
+        /// before. NaN for the first level of a gap.
         #[unit = "-"]
         pub order: f64,
         /// Time to compute all loads at this gap.

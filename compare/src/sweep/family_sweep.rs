@@ -31,8 +31,8 @@ pub struct FamilySweep<'a> {
 }
 
 columns! {
-    /// A row for each model and point of the sweep. The first columns are the parameters that are varied, by their names in the
-    /// family's file. A run without a result has NaN.
+    /// A row for each model and point of the sweep. The first columns are the parameters that are varied, by their
+    /// names in the family's file. A run without a result has NaN.
     #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
     pub(crate) struct Tail {
         /// Name of the method.
