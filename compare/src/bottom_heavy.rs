@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use scene::{Configuration, Run, RunOptions, Sample, Scene};
 use serde::{Deserialize, Serialize};
 
+use crate::columns::columns;
 use crate::encounter::RunNumbers;
 use crate::maps::Pair;
 use crate::output::{OutputFolder, csv_text};
@@ -55,21 +56,41 @@ pub struct PanelRun {
     pub run: Result<Run, NoRun>,
 }
 
-/// One line of `bottom-heavy.csv`: lengths in radii, time in `a/V_s`, angles anticlockwise from the x axis, without
-/// jumps of a full turn.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[allow(missing_docs, reason = "the columns' names say it")]
-pub struct TrajectoryRow {
-    pub method: &'static str,
-    pub panel: String,
-    pub t: f64,
-    pub x1: f64,
-    pub y1: f64,
-    pub x2: f64,
-    pub y2: f64,
-    pub angle1_deg: f64,
-    pub angle2_deg: f64,
-    pub gap: f64,
+columns! {
+    /// A row for each sample of a trajectory.
+    #[derive(Clone, Debug, PartialEq, Serialize)]
+    pub struct TrajectoryRow {
+        /// Name of the method.
+        #[unit = "-"]
+        pub method: &'static str,
+        /// Letter of the panel: the start of the trajectory.
+        #[unit = "-"]
+        pub panel: String,
+        /// Time from the start.
+        #[unit = "a/V_s"]
+        pub t: f64,
+        /// x of the centre of squirmer 1.
+        #[unit = "a"]
+        pub x1: f64,
+        /// y of the centre of squirmer 1.
+        #[unit = "a"]
+        pub y1: f64,
+        /// x of the centre of squirmer 2.
+        #[unit = "a"]
+        pub x2: f64,
+        /// y of the centre of squirmer 2.
+        #[unit = "a"]
+        pub y2: f64,
+        /// Angle from the x axis to the orientation of squirmer 1, without jumps of 360 degrees.
+        #[unit = "deg"]
+        pub angle1_deg: f64,
+        /// Angle from the x axis to the orientation of squirmer 2, without jumps of 360 degrees.
+        #[unit = "deg"]
+        pub angle2_deg: f64,
+        /// Gap between the surfaces of the squirmers.
+        #[unit = "a"]
+        pub gap: f64,
+    }
 }
 
 /// One line of the summary: the state of a panel's pair at the end of the run.

@@ -4,6 +4,7 @@ use scene::{Outcome, Run};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize};
 
+use crate::columns::columns;
 use crate::numbers::written;
 use crate::{Case, Method};
 
@@ -94,37 +95,51 @@ fn method_name<'de, D: Deserializer<'de>>(from: D) -> Result<MethodName, D::Erro
     Ok(method.name())
 }
 
-/// One line of `head-on.csv` and `orthogonal.csv`. Angles in degrees, anticlockwise positive;
-/// lengths in radii; times in `a/V_s`, except `seconds`. A run that failed has NaN.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct EncounterRow {
-    /// Name of the method.
-    #[serde(deserialize_with = "method_name")]
-    pub method: MethodName,
-    /// Squirmer parameter.
-    pub beta: f64,
-    /// Offset of the paths, in radii.
-    pub dx: f64,
-    /// Offset out of the plane, in radii.
-    pub dz: f64,
-    /// Deflection of squirmer 1: outgoing minus incoming angle in the x-y plane.
-    pub deflection1_deg: f64,
-    /// Deflection of squirmer 2: outgoing minus incoming angle in the x-y plane.
-    pub deflection2_deg: f64,
-    /// Smallest gap, in radii.
-    pub min_gap: f64,
-    /// Interaction time: the time at gaps up to 1.
-    pub tau: f64,
-    /// Outcome; `failed` for a run that failed; `skipped` for a run that the time limit left out.
-    pub outcome: String,
-    /// Accepted steps of the integrator.
-    pub steps: u64,
-    /// Number of times that the model computed its loads.
-    pub loads: u64,
-    /// Wall-clock time of the run, in seconds.
-    pub seconds: f64,
-    /// Estimated difference of the deflections from their limit at infinity; 0 if the run needs no such limit.
-    pub truncation_deg: f64,
+columns! {
+    /// A row for each encounter and method. A run without a result has NaN.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    pub struct EncounterRow {
+        /// Name of the method.
+        #[unit = "-"]
+        #[serde(deserialize_with = "method_name")]
+        pub method: MethodName,
+        /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
+        #[unit = "-"]
+        pub beta: f64,
+        /// Offset of the two paths in the plane; for opposed paths the distance between them.
+        #[unit = "a"]
+        pub dx: f64,
+        /// Offset out of the plane: squirmer 1 starts at `z = dz/2`, squirmer 2 at `z = -dz/2`.
+        #[unit = "a"]
+        pub dz: f64,
+        /// Deflection of squirmer 1: outgoing minus incoming angle in the x-y plane.
+        #[unit = "deg"]
+        pub deflection1_deg: f64,
+        /// Deflection of squirmer 2: outgoing minus incoming angle in the x-y plane.
+        #[unit = "deg"]
+        pub deflection2_deg: f64,
+        /// Smallest gap during the run.
+        #[unit = "a"]
+        pub min_gap: f64,
+        /// Interaction time: the time that the pair spends at gaps up to one radius.
+        #[unit = "a/V_s"]
+        pub tau: f64,
+        /// Outcome of the run.
+        #[unit = "-"]
+        pub outcome: String,
+        /// Number of accepted steps of the integrator; 0 for a run without a result.
+        #[unit = "-"]
+        pub steps: u64,
+        /// Number of times that the model computed its loads; 0 for a run without a result.
+        #[unit = "-"]
+        pub loads: u64,
+        /// Time of the run, without the time to build tables.
+        #[unit = "s"]
+        pub seconds: f64,
+        /// Estimated difference of the deflections from their limit at infinite distance; 0 if the run needs no such limit.
+        #[unit = "deg"]
+        pub truncation_deg: f64,
+    }
 }
 
 impl Encounter {
@@ -182,30 +197,44 @@ impl Encounter {
     }
 }
 
-/// One line of `offset.csv`: how much an offset out of the plane changes the outgoing orientations. The change is
-/// the angle between the outgoing orientations with and without the offset, in degrees. Outgoing orientations are
-/// those at infinity if the pair parts, and those at the end of the run if it stays bound.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct OffsetRow {
-    /// Name of the approach.
-    pub case: String,
-    /// Name of the method.
-    #[serde(deserialize_with = "method_name")]
-    pub method: MethodName,
-    /// Squirmer parameter.
-    pub beta: f64,
-    /// Offset of the paths, in radii.
-    pub dx: f64,
-    /// Offset out of the plane, in radii.
-    pub dz: f64,
-    /// Change of the first squirmer's outgoing orientation, in degrees.
-    pub change1_deg: f64,
-    /// Change of the second squirmer's outgoing orientation, in degrees.
-    pub change2_deg: f64,
-    /// Smallest gap, in radii.
-    pub min_gap: f64,
-    /// Outcome with the offset, `failed` or `skipped`.
-    pub outcome: String,
-    /// Outcome without the offset.
-    pub outcome_in_plane: String,
+columns! {
+    /// A row for each encounter, method and offset out of the plane: how much the offset changes the outgoing orientations.
+    /// Outgoing orientations are those at infinite distance if the pair parts, and those at the end of the run if it stays
+    /// bound.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    pub struct OffsetRow {
+        /// Name of the approach: `head-on` or `orthogonal`.
+        #[unit = "-"]
+        pub case: String,
+        /// Name of the method.
+        #[unit = "-"]
+        #[serde(deserialize_with = "method_name")]
+        pub method: MethodName,
+        /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
+        #[unit = "-"]
+        pub beta: f64,
+        /// Offset of the two paths in the plane; for opposed paths the distance between them.
+        #[unit = "a"]
+        pub dx: f64,
+        /// Offset out of the plane: squirmer 1 starts at `z = dz/2`, squirmer 2 at `z = -dz/2`.
+        #[unit = "a"]
+        pub dz: f64,
+        /// Angle between the outgoing orientations of squirmer 1 with and without the offset, from 0 to 180. NaN if one
+        /// of the two runs has no outgoing orientation.
+        #[unit = "deg"]
+        pub change1_deg: f64,
+        /// Angle between the outgoing orientations of squirmer 2 with and without the offset, from 0 to 180. NaN if one
+        /// of the two runs has no outgoing orientation.
+        #[unit = "deg"]
+        pub change2_deg: f64,
+        /// Smallest gap during the run with the offset.
+        #[unit = "a"]
+        pub min_gap: f64,
+        /// Outcome of the run with the offset.
+        #[unit = "-"]
+        pub outcome: String,
+        /// Outcome of the run without the offset.
+        #[unit = "-"]
+        pub outcome_in_plane: String,
+    }
 }

@@ -9,6 +9,7 @@
 pub mod account;
 pub mod bottom_heavy;
 mod case;
+pub mod columns;
 pub mod cost;
 mod defaults;
 pub mod effects;
@@ -36,4 +37,5 @@ pub use model::{BEM_TABLE_TOLERANCE, EXACT_TABLE_TOLERANCE, Model, ModelOptions}
 pub use numbers::{Numbers, parse_numbers};
 pub use output::{OutputFolder, csv_text};
 pub use scene_file::{Family, FamilyScene, Mistake, Mistakes, SceneFile};
-pub use study::{ComparisonRow, LoadErrorRow, MeshErrorRow, comparison, load_errors, mesh_errors};
+pub use study::{ComparisonRow, LoadErrorRow, LoadRow, MeshErrorRow};
+pub use study::{comparison, load_errors, load_rows, mesh_errors};

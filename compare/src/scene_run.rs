@@ -9,6 +9,7 @@ use std::io::{BufWriter, Write};
 use scene::{Configuration, Plan, Run, RunOptions, Sample};
 use serde::Serialize;
 
+use crate::columns::columns;
 use crate::output::OutputFolder;
 use crate::watch::{Leaving, Pieces, Progress};
 use crate::{CompareError, Method, Model};
@@ -16,42 +17,61 @@ use crate::{CompareError, Method, Model};
 /// Name of the file of the trajectory.
 const FILE: &str = "run.csv";
 
-/// One line of `run.csv`: time in `a/V_s`, lengths in radii, orientations as unit vectors and as angles of
-/// their projection on the x-y plane, in degrees, anticlockwise from the x axis, without jumps of 360 degrees.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct SampleRow {
-    /// Time, in `a/V_s`.
-    pub t: f64,
-    /// x of the centre of squirmer 1, in radii.
-    pub x1: f64,
-    /// y of the centre of squirmer 1, in radii.
-    pub y1: f64,
-    /// z of the centre of squirmer 1, in radii.
-    pub z1: f64,
-    /// x of the centre of squirmer 2, in radii.
-    pub x2: f64,
-    /// y of the centre of squirmer 2, in radii.
-    pub y2: f64,
-    /// z of the centre of squirmer 2, in radii.
-    pub z2: f64,
-    /// x of the orientation of squirmer 1.
-    pub px1: f64,
-    /// y of the orientation of squirmer 1.
-    pub py1: f64,
-    /// z of the orientation of squirmer 1.
-    pub pz1: f64,
-    /// x of the orientation of squirmer 2.
-    pub px2: f64,
-    /// y of the orientation of squirmer 2.
-    pub py2: f64,
-    /// z of the orientation of squirmer 2.
-    pub pz2: f64,
-    /// Angle of the orientation of squirmer 1, in degrees.
-    pub angle1_deg: f64,
-    /// Angle of the orientation of squirmer 2, in degrees.
-    pub angle2_deg: f64,
-    /// Gap, in radii.
-    pub gap: f64,
+columns! {
+    /// A row for each sample of the trajectory. Orientations are unit vectors.
+    #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+    pub struct SampleRow {
+        /// Time from the start.
+        #[unit = "a/V_s"]
+        pub t: f64,
+        /// x of the centre of squirmer 1.
+        #[unit = "a"]
+        pub x1: f64,
+        /// y of the centre of squirmer 1.
+        #[unit = "a"]
+        pub y1: f64,
+        /// z of the centre of squirmer 1.
+        #[unit = "a"]
+        pub z1: f64,
+        /// x of the centre of squirmer 2.
+        #[unit = "a"]
+        pub x2: f64,
+        /// y of the centre of squirmer 2.
+        #[unit = "a"]
+        pub y2: f64,
+        /// z of the centre of squirmer 2.
+        #[unit = "a"]
+        pub z2: f64,
+        /// x of the orientation of squirmer 1.
+        #[unit = "-"]
+        pub px1: f64,
+        /// y of the orientation of squirmer 1.
+        #[unit = "-"]
+        pub py1: f64,
+        /// z of the orientation of squirmer 1.
+        #[unit = "-"]
+        pub pz1: f64,
+        /// x of the orientation of squirmer 2.
+        #[unit = "-"]
+        pub px2: f64,
+        /// y of the orientation of squirmer 2.
+        #[unit = "-"]
+        pub py2: f64,
+        /// z of the orientation of squirmer 2.
+        #[unit = "-"]
+        pub pz2: f64,
+        /// Angle from the x axis to the projection of the orientation of squirmer 1 on the x-y plane, without jumps of 360
+        /// degrees.
+        #[unit = "deg"]
+        pub angle1_deg: f64,
+        /// Angle from the x axis to the projection of the orientation of squirmer 2 on the x-y plane, without jumps of 360
+        /// degrees.
+        #[unit = "deg"]
+        pub angle2_deg: f64,
+        /// Gap between the surfaces of the squirmers.
+        #[unit = "a"]
+        pub gap: f64,
+    }
 }
 
 impl From<&Sample> for SampleRow {

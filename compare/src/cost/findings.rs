@@ -7,18 +7,25 @@ use super::profile::{RIGHT_HAND_SIDE, VELOCITY_AT_ANY_GAP};
 use super::scaling::{BEM_PARTS, SWEEP};
 use super::{CostRow, Part};
 use crate::Method;
+use crate::columns::columns;
 
-/// One number that follows from the measured rows; NaN if they do not contain it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Finding {
-    /// Name of the number.
-    pub finding: String,
-    /// The model or the measurement that the number describes.
-    pub of: String,
-    /// The number.
-    pub value: f64,
-    /// Its unit.
-    pub unit: &'static str,
+columns! {
+    /// A row for each number that follows from the measured rows.
+    #[derive(Clone, Debug, PartialEq, Serialize)]
+    pub struct Finding {
+        /// Name of the number.
+        #[unit = "-"]
+        pub finding: String,
+        /// The model or the measurement that the number describes.
+        #[unit = "-"]
+        pub of: String,
+        /// The number, in the unit of the next column. NaN if the rows do not contain it.
+        #[unit = "varies"]
+        pub value: f64,
+        /// Unit of the number; empty for a pure number.
+        #[unit = "-"]
+        pub unit: &'static str,
+    }
 }
 
 impl Finding {

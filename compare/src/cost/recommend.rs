@@ -4,28 +4,38 @@ use serde::Serialize;
 
 use super::{CostRow, Part};
 use crate::CompareError;
+use crate::columns::columns;
 use crate::numbers::point_hint;
 
-/// A line of `cost-target.csv`: the cheapest method that reaches the target in one case. NaN and `none` if no
-/// measured method reaches it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Recommendation {
-    /// The case.
-    pub case: String,
-    /// The target: the largest error of the outgoing angles that is allowed, in degrees.
-    pub target_deg: f64,
-    /// The model with the shortest time per trajectory, without its set-up.
-    pub model: String,
-    /// Tolerance of the integrator for this model.
-    pub tolerance: f64,
-    /// Error of this model, in degrees.
-    pub error_deg: f64,
-    /// Seconds of one trajectory.
-    pub seconds: f64,
-    /// Seconds to set this model up, once.
-    pub set_up_seconds: f64,
-    /// The model with the shortest time for a single trajectory, including its set-up.
-    pub model_for_one: String,
+columns! {
+    /// A row for each case: the cheapest model that reaches the target. NaN and `none` if no measured model reaches it.
+    #[derive(Clone, Debug, PartialEq, Serialize)]
+    pub struct Recommendation {
+        /// The case: an encounter of Figs 6 and 7.
+        #[unit = "-"]
+        pub case: String,
+        /// The target: the largest error of the outgoing angles that is allowed.
+        #[unit = "deg"]
+        pub target_deg: f64,
+        /// The model with the shortest time per trajectory, without its set-up.
+        #[unit = "-"]
+        pub model: String,
+        /// Tolerance of the integrator for this model.
+        #[unit = "-"]
+        pub tolerance: f64,
+        /// Error of the outgoing angles by this model.
+        #[unit = "deg"]
+        pub error_deg: f64,
+        /// Time of one trajectory by this model.
+        #[unit = "s"]
+        pub seconds: f64,
+        /// Time to set this model up, once.
+        #[unit = "s"]
+        pub set_up_seconds: f64,
+        /// The model with the shortest time for a single trajectory, with its set-up.
+        #[unit = "-"]
+        pub model_for_one: String,
+    }
 }
 
 /// The cheapest method and tolerance in each case, in the order of the rows.

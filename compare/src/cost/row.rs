@@ -5,6 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::CompareError;
+use crate::columns::columns;
 
 /// The kinds of measurements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -31,44 +32,65 @@ impl fmt::Display for Part {
     }
 }
 
-/// One measurement. Numbers that do not apply, or that failed, are NaN.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct CostRow {
-    /// The kind of this measurement.
-    pub part: Part,
-    /// The model, with `-table` where its loads are read from a table, and the level of boundary
-    /// elements.
-    pub model: String,
-    /// Name of the quantity that is varied.
-    pub knob: String,
-    /// Value of the quantity that is varied.
-    pub value: f64,
-    /// The gap in radii, or the case.
-    pub gap_or_case: String,
-    /// Largest error.
-    pub error: f64,
-    /// Root mean square of the errors.
-    pub error_rms: f64,
-    /// The part of the largest error that comes from the loads, for any tolerance of the integrator.
-    pub model_error: f64,
-    /// The part of the largest error that comes from the tolerance of the integrator.
-    pub integration_error: f64,
-    /// Wall-clock time of one evaluation or trajectory without set-up, in seconds.
-    pub seconds: f64,
-    /// Wall-clock time to set up the model, once, in seconds.
-    pub set_up_seconds: f64,
-    /// Number of evaluations that were timed.
-    pub repeats: u64,
-    /// Number of accepted steps.
-    pub steps: f64,
-    /// Number of rejected steps.
-    pub rejected: f64,
-    /// Number of evaluations of the loads: gaps of a table, or right-hand sides of a trajectory.
-    pub loads: f64,
-    /// Number of dense systems factorised in one evaluation.
-    pub solves: f64,
-    /// Largest memory that the process has used so far, in MiB.
-    pub peak_memory_mib: f64,
+columns! {
+    /// A row for each measurement. Numbers that do not apply, or that failed, are NaN. Errors of loads are relative to
+    /// the larger of the load and 1. Errors of trajectories are those of the outgoing angles, in degrees. Errors of
+    /// velocities are in `V_s`.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    pub struct CostRow {
+        /// The kind of measurement: `loads` at a gap, `deflection` (a trajectory), `scaling` (time as a function of the
+        /// number of unknowns or trajectories), or `profile` (the parts of a trajectory).
+        #[unit = "-"]
+        pub part: Part,
+        /// The model. `-table` means that its loads are read from a table; a number is the level of boundary elements.
+        #[unit = "-"]
+        pub model: String,
+        /// Name of the quantity that is varied.
+        #[unit = "-"]
+        pub knob: String,
+        /// Value of the quantity that is varied, in the unit that `knob` implies.
+        #[unit = "varies"]
+        pub value: f64,
+        /// The gap in radii, the case, or the number of threads.
+        #[unit = "varies"]
+        pub gap_or_case: String,
+        /// Largest error, in the unit that the text above the table names.
+        #[unit = "varies"]
+        pub error: f64,
+        /// Root mean square of the errors, in the unit that the text above the table names.
+        #[unit = "varies"]
+        pub error_rms: f64,
+        /// Part of the error of a trajectory that comes from the loads: its error if the integrator were exact.
+        #[unit = "deg"]
+        pub model_error: f64,
+        /// Part of the error of a trajectory that comes from the tolerance of the integrator.
+        #[unit = "deg"]
+        pub integration_error: f64,
+        /// Time of one evaluation, trajectory or sweep, without the set-up.
+        #[unit = "s"]
+        pub seconds: f64,
+        /// Time to set the model up, once.
+        #[unit = "s"]
+        pub set_up_seconds: f64,
+        /// Number of evaluations that were timed.
+        #[unit = "-"]
+        pub repeats: u64,
+        /// Number of accepted steps of the integrator.
+        #[unit = "-"]
+        pub steps: f64,
+        /// Number of rejected steps of the integrator.
+        #[unit = "-"]
+        pub rejected: f64,
+        /// Number of evaluations of the loads: the gaps of a table, or the right-hand sides of trajectories.
+        #[unit = "-"]
+        pub loads: f64,
+        /// Number of dense systems that one evaluation factorises.
+        #[unit = "-"]
+        pub solves: f64,
+        /// Largest memory that the process has used so far. NaN if the system does not report it.
+        #[unit = "MiB"]
+        pub peak_memory_mib: f64,
+    }
 }
 
 impl CostRow {

@@ -3,26 +3,37 @@
 use serde::Serialize;
 
 use crate::CompareError;
+use crate::columns::columns;
 
-/// A line of `hard-cases.csv`.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct HardCaseRow {
-    /// The group.
-    pub case: &'static str,
-    /// Name of the method.
-    pub method: &'static str,
-    /// What is measured; if the case failed, why.
-    pub measure: String,
-    /// Largest value allowed.
-    pub bound: f64,
-    /// The value; NaN if the case failed.
-    pub value: f64,
-    /// Whether the value keeps the bound.
-    pub holds: bool,
-    /// What could go wrong.
-    pub hazard: &'static str,
-    /// Where the bound comes from.
-    pub bound_from: &'static str,
+columns! {
+    /// A row for each bound.
+    #[derive(Clone, Debug, PartialEq, Serialize)]
+    pub struct HardCaseRow {
+        /// Name of the group.
+        #[unit = "-"]
+        pub case: &'static str,
+        /// Name of the method.
+        #[unit = "-"]
+        pub method: &'static str,
+        /// What is measured. If the case failed, the reason.
+        #[unit = "-"]
+        pub measure: String,
+        /// Largest value allowed, in the unit that `measure` implies.
+        #[unit = "varies"]
+        pub bound: f64,
+        /// The measured value, in the unit of the bound. NaN if the case failed.
+        #[unit = "varies"]
+        pub value: f64,
+        /// `true` if the value is at most the bound.
+        #[unit = "-"]
+        pub holds: bool,
+        /// What could go wrong.
+        #[unit = "-"]
+        pub hazard: &'static str,
+        /// What the bound follows from.
+        #[unit = "-"]
+        pub bound_from: &'static str,
+    }
 }
 
 /// The rows of a group as they come.

@@ -4,34 +4,48 @@ use scene::{BoundState, Hydrodynamics, Outcome, Repulsion, SceneError, Squirmer,
 use serde::Serialize;
 
 use super::trust::{TrustRow, same_map};
+use crate::columns::columns;
 use crate::{CompareError, Method, Model};
 
-/// A bound state of two equal squirmers, a line of `bound-states.csv`. Its mirror image, and the state with the two
-/// squirmers exchanged, are bound states too.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct BoundRow {
-    /// Name of the method.
-    pub method: String,
-    /// Squirmer parameter.
-    pub beta: f64,
-    /// Outcome that this state stands for.
-    pub outcome: String,
-    /// Gap, in radii.
-    pub gap: f64,
-    /// Orientation of squirmer 1, anticlockwise from the direction to squirmer 2.
-    pub angle1_deg: f64,
-    /// Orientation of squirmer 2, anticlockwise from the direction to squirmer 1.
-    pub angle2_deg: f64,
-    /// Angular velocity of the line of centres, in radians per `a/V_s`.
-    pub turning: f64,
-    /// Speed of the midpoint, in `V_s`.
-    pub speed: f64,
-    /// Largest growth rate of a small disturbance in the plane, in `V_s/a`; negative if the state attracts.
-    pub growth: f64,
-    /// Angular frequency of the disturbance that grows fastest, in `V_s/a`.
-    pub frequency: f64,
-    /// Whether the state belongs to a continuous line of states. Only one state of the line is listed.
-    pub one_of_a_line: bool,
+columns! {
+    /// A row for each bound state of two equal squirmers: a fixed point of the gap and of the orientations relative to
+    /// the line of centres. Its mirror image, and the state with the two squirmers exchanged, are bound states too.
+    #[derive(Clone, Debug, PartialEq, Serialize)]
+    pub struct BoundRow {
+        /// Name of the method.
+        #[unit = "-"]
+        pub method: String,
+        /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
+        #[unit = "-"]
+        pub beta: f64,
+        /// Outcome of a pair that stays in this state.
+        #[unit = "-"]
+        pub outcome: String,
+        /// Gap between the surfaces of the squirmers.
+        #[unit = "a"]
+        pub gap: f64,
+        /// Angle from the direction to squirmer 2 to the orientation of squirmer 1.
+        #[unit = "deg"]
+        pub angle1_deg: f64,
+        /// Angle from the direction to squirmer 1 to the orientation of squirmer 2.
+        #[unit = "deg"]
+        pub angle2_deg: f64,
+        /// Angular velocity of the line of centres; positive if the pair orbits anticlockwise.
+        #[unit = "V_s/a"]
+        pub turning: f64,
+        /// Speed of the point midway between the centres.
+        #[unit = "V_s"]
+        pub speed: f64,
+        /// Largest growth rate of a small disturbance in the plane; negative if all disturbances decay.
+        #[unit = "V_s/a"]
+        pub growth: f64,
+        /// Angular frequency of the disturbance that grows fastest; 0 if it does not oscillate.
+        #[unit = "V_s/a"]
+        pub frequency: f64,
+        /// `true` if the state belongs to a continuous line of states, of which only this one is listed.
+        #[unit = "-"]
+        pub one_of_a_line: bool,
+    }
 }
 
 impl BoundRow {
@@ -73,31 +87,44 @@ fn states(model: &Model, squirmer: &Squirmer) -> Result<Vec<BoundState>, SceneEr
     bound_states(model as &dyn Hydrodynamics, squirmer, Repulsion::PAPER)
 }
 
-/// A line of `trust-examples.csv`: a start from which one model gives a bound state and the other model gives a
-/// different outcome. There is one example for each pair of outcomes. It says whether the other model has the bound
-/// state at all. If both models bind the pair, this is lubrication theory's state.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct BoundExample {
-    /// Form of lubrication theory.
-    pub method: String,
-    /// Squirmer parameter.
-    pub beta: f64,
-    /// Outcome by lubrication theory.
-    pub outcome_lt: String,
-    /// Outcome by exact hydrodynamics.
-    pub outcome_exact: String,
-    /// Share of the plane with these two outcomes.
-    pub share: f64,
-    /// Difference of the incoming angles of the example, `(phi2 - phi1)/pi`.
-    pub delta: f64,
-    /// Sum of the incoming angles of the example, `(phi2 + phi1)/pi`.
-    pub sigma: f64,
-    /// The state in the other model: `absent`, `unstable` or `not reached`.
-    pub state: &'static str,
-    /// Gap of the state in the other model, in radii.
-    pub gap: f64,
-    /// Growth rate of the state in the other model, in `V_s/a`.
-    pub growth: f64,
+columns! {
+    /// A row for each two outcomes of a pair of which one is a bound state and the other is not: a start with these
+    /// outcomes, and whether the other model has the bound state at all. If both models bind the pair, the state is the
+    /// one of lubrication theory.
+    #[derive(Clone, Debug, PartialEq, Serialize)]
+    pub struct BoundExample {
+        /// Name of the form of lubrication theory.
+        #[unit = "-"]
+        pub method: String,
+        /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
+        #[unit = "-"]
+        pub beta: f64,
+        /// Outcome by lubrication theory.
+        #[unit = "-"]
+        pub outcome_lt: String,
+        /// Outcome by exact hydrodynamics.
+        #[unit = "-"]
+        pub outcome_exact: String,
+        /// Share of the initial angles with these two outcomes, from 0 to 1.
+        #[unit = "-"]
+        pub share: f64,
+        /// Difference of the initial angles of the example divided by pi, `(phi2 - phi1)/pi`.
+        #[unit = "-"]
+        pub delta: f64,
+        /// Sum of the initial angles of the example divided by pi, `(phi2 + phi1)/pi`.
+        #[unit = "-"]
+        pub sigma: f64,
+        /// The bound state in the other model: `absent`, `unstable`, or `not reached` (stable, but the example does not end
+        /// there).
+        #[unit = "-"]
+        pub state: &'static str,
+        /// Gap of the state in the other model. NaN if it is absent.
+        #[unit = "a"]
+        pub gap: f64,
+        /// Largest growth rate of a small disturbance of the state in the other model. NaN if it is absent.
+        #[unit = "V_s/a"]
+        pub growth: f64,
+    }
 }
 
 /// Whether an outcome is a bound state without gravity.

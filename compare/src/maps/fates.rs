@@ -6,43 +6,63 @@ use serde::{Deserialize, Serialize};
 use super::Maps;
 use super::grid::Pair;
 use super::scatter::{ScatterRow, line};
+use crate::columns::columns;
 use crate::output::csv_lines;
 use crate::{CompareError, Method, Model};
 
-/// One line of `fates.csv`: the share of each outcome in the plane.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct FateRow {
-    /// Name of the method.
-    pub method: String,
-    /// Squirmer parameter.
-    pub beta: f64,
-    /// Bottom-heaviness.
-    pub g: f64,
-    /// The pair parted.
-    pub scattered: f64,
-    /// At rest, facing each other.
-    pub standoff: f64,
-    /// Swimming together along a straight line.
-    pub pairwise: f64,
-    /// Orbiting anticlockwise.
-    pub anticlockwise: f64,
-    /// Orbiting clockwise.
-    pub clockwise: f64,
-    /// Neither parted nor in a steady state at the end of the run.
-    pub undecided: f64,
-    /// Under gravity: both swim upward.
-    pub upward: f64,
-    /// Under gravity: bound, with an oscillating gap.
-    pub oscillating: f64,
-    /// Under gravity: bound, swimming downward.
-    pub downward: f64,
-    /// Runs without a result.
-    pub failed: f64,
-    /// Standard error of the share of bound pairs, as if the points were drawn at random. The error of a regular grid
-    /// is smaller.
-    pub sampling_error: f64,
-    /// Number of points of the grid.
-    pub points: usize,
+columns! {
+    /// A row for each method and pair: the share of each outcome among all points of a grid of initial angles. Shares
+    /// are from 0 to 1.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    pub struct FateRow {
+        /// Name of the method.
+        #[unit = "-"]
+        pub method: String,
+        /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
+        #[unit = "-"]
+        pub beta: f64,
+        /// Bottom-heaviness of both squirmers; 0 if gravity does not turn them.
+        #[unit = "-"]
+        pub g: f64,
+        /// Share of pairs that part. Under gravity: share of pairs that are apart (gap above 1) at the end, unless
+        /// gravity has righted both squirmers.
+        #[unit = "-"]
+        pub scattered: f64,
+        /// Share of pairs that stay bound at rest, facing each other.
+        #[unit = "-"]
+        pub standoff: f64,
+        /// Share of pairs that stay bound and swim together along a straight line.
+        #[unit = "-"]
+        pub pairwise: f64,
+        /// Share of pairs that stay bound and orbit anticlockwise.
+        #[unit = "-"]
+        pub anticlockwise: f64,
+        /// Share of pairs that stay bound and orbit clockwise.
+        #[unit = "-"]
+        pub clockwise: f64,
+        /// Share of pairs that have neither parted nor reached a steady state at the end of the run.
+        #[unit = "-"]
+        pub undecided: f64,
+        /// Under gravity: share of pairs that swim upward at the end, bound or apart.
+        #[unit = "-"]
+        pub upward: f64,
+        /// Under gravity: share of pairs that stay bound while the gap or the line of centres oscillates.
+        #[unit = "-"]
+        pub oscillating: f64,
+        /// Under gravity: share of pairs that stay bound and swim downward at the end.
+        #[unit = "-"]
+        pub downward: f64,
+        /// Share of runs without a result: they failed, or the gap became too small for the model.
+        #[unit = "-"]
+        pub failed: f64,
+        /// Standard error of the share of bound pairs, as if the points were drawn at random. The error of a regular
+        /// grid is smaller.
+        #[unit = "-"]
+        pub sampling_error: f64,
+        /// Number of points of the grid.
+        #[unit = "-"]
+        pub points: usize,
+    }
 }
 
 /// Reads one share from a row.

@@ -5,35 +5,46 @@ use serde::{Deserialize, Serialize};
 
 use super::grid::{Grid, Pair};
 use super::{Maps, SeeMap};
+use crate::columns::columns;
 use crate::encounter::{FAILED, RunNumbers};
 use crate::output::csv_lines;
 use crate::{CompareError, Method, Model};
 
-/// One line of `scatter.csv`. Deflections are anticlockwise positive and may exceed 360 degrees. If the pair parts
-/// without gravity, they are limits at infinity; otherwise they are the change of orientation up to the end of the
-/// run. A failed run has NaN and the outcome `failed`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ScatterRow {
-    /// Name of the method.
-    pub method: String,
-    /// Squirmer parameter.
-    pub beta: f64,
-    /// Bottom-heaviness.
-    pub g: f64,
-    /// Difference of the incoming angles, `(phi2 - phi1)/pi`.
-    pub delta: f64,
-    /// Sum of the incoming angles, `(phi2 + phi1)/pi`.
-    pub sigma: f64,
-    /// Deflection of the first squirmer, in degrees.
-    pub deflection1_deg: f64,
-    /// Deflection of the second squirmer, in degrees.
-    pub deflection2_deg: f64,
-    /// Interaction time (the time at gaps up to 1), in `a/V_s`.
-    pub tau: f64,
-    /// Outcome.
-    pub outcome: String,
-    /// Smallest gap, in radii.
-    pub min_gap: f64,
+columns! {
+    /// A row for each method, pair and point of the grid of initial angles. A run without a result has NaN.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    pub struct ScatterRow {
+        /// Name of the method.
+        #[unit = "-"]
+        pub method: String,
+        /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
+        #[unit = "-"]
+        pub beta: f64,
+        /// Bottom-heaviness of both squirmers; 0 if gravity does not turn them.
+        #[unit = "-"]
+        pub g: f64,
+        /// Difference of the initial angles from the x axis divided by pi, `(phi2 - phi1)/pi`.
+        #[unit = "-"]
+        pub delta: f64,
+        /// Sum of the initial angles from the x axis divided by pi, `(phi2 + phi1)/pi`.
+        #[unit = "-"]
+        pub sigma: f64,
+        /// Deflection of squirmer 1.
+        #[unit = "deg"]
+        pub deflection1_deg: f64,
+        /// Deflection of squirmer 2.
+        #[unit = "deg"]
+        pub deflection2_deg: f64,
+        /// Interaction time: the time that the pair spends at gaps up to one radius.
+        #[unit = "a/V_s"]
+        pub tau: f64,
+        /// Outcome of the run.
+        #[unit = "-"]
+        pub outcome: String,
+        /// Smallest gap during the run.
+        #[unit = "a"]
+        pub min_gap: f64,
+    }
 }
 
 /// Runs the pair from one point of the plane.

@@ -7,33 +7,46 @@ use super::grid::Pair;
 use super::scatter::{ScatterRow, line};
 use super::{Maps, SeeMap};
 use crate::CompareError;
+use crate::columns::columns;
 use crate::encounter::FAILED;
 use crate::output::csv_lines;
 
-/// One line of `trust.csv`. Differences are deflections by lubrication theory minus exact deflections; for a bound
-/// pair they are differences of the orientations at the end of the run.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct TrustRow {
-    /// Squirmer parameter.
-    pub beta: f64,
-    /// Difference of the incoming angles, `(phi2 - phi1)/pi`.
-    pub delta: f64,
-    /// Sum of the incoming angles, `(phi2 + phi1)/pi`.
-    pub sigma: f64,
-    /// Outcome by lubrication theory.
-    pub outcome_lt: String,
-    /// Outcome by exact hydrodynamics.
-    pub outcome_exact: String,
-    /// Difference for squirmer 1, in degrees.
-    pub difference1_deg: f64,
-    /// Difference for squirmer 2, in degrees.
-    pub difference2_deg: f64,
-    /// Form of lubrication theory.
-    pub method: String,
-    /// Bottom-heaviness.
-    pub g: f64,
-    /// Offset out of the plane, in radii.
-    pub dz: f64,
+columns! {
+    /// A row for each form of lubrication theory, pair and point of the grid of initial angles. Differences are deflections
+    /// by lubrication theory minus exact deflections.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    pub struct TrustRow {
+        /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
+        #[unit = "-"]
+        pub beta: f64,
+        /// Difference of the initial angles from the x axis divided by pi, `(phi2 - phi1)/pi`.
+        #[unit = "-"]
+        pub delta: f64,
+        /// Sum of the initial angles from the x axis divided by pi, `(phi2 + phi1)/pi`.
+        #[unit = "-"]
+        pub sigma: f64,
+        /// Outcome by lubrication theory.
+        #[unit = "-"]
+        pub outcome_lt: String,
+        /// Outcome by exact hydrodynamics.
+        #[unit = "-"]
+        pub outcome_exact: String,
+        /// Difference for squirmer 1. NaN if one of the two runs has no deflection.
+        #[unit = "deg"]
+        pub difference1_deg: f64,
+        /// Difference for squirmer 2. NaN if one of the two runs has no deflection.
+        #[unit = "deg"]
+        pub difference2_deg: f64,
+        /// Name of the form of lubrication theory.
+        #[unit = "-"]
+        pub method: String,
+        /// Bottom-heaviness of both squirmers; 0 if gravity does not turn them.
+        #[unit = "-"]
+        pub g: f64,
+        /// Offset out of the plane: squirmer 1 starts at `z = dz/2`, squirmer 2 at `z = -dz/2`.
+        #[unit = "a"]
+        pub dz: f64,
+    }
 }
 
 impl TrustRow {
@@ -98,31 +111,45 @@ pub const CLASSES: [&str; 7] = [
     "failed",
 ];
 
-/// Share of each class of trust in the plane.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct TrustShares {
-    /// Form of lubrication theory.
-    pub method: String,
-    /// Squirmer parameter.
-    pub beta: f64,
-    /// Bottom-heaviness.
-    pub g: f64,
-    /// Offset out of the plane, in radii.
-    pub dz: f64,
-    /// Both models part the pair, and the deflections differ by at most 5 degrees.
-    pub within_5_deg: f64,
-    /// Both models part the pair, and the deflections differ by 5 to 15 degrees.
-    pub within_15_deg: f64,
-    /// Both models part the pair, and the deflections differ by 15 to 45 degrees.
-    pub within_45_deg: f64,
-    /// Both models part the pair, and the deflections differ by more than 45 degrees.
-    pub beyond_45_deg: f64,
-    /// Both models give the same outcome, and the pair does not part.
-    pub same_outcome: f64,
-    /// The models give different outcomes.
-    pub other_outcome: f64,
-    /// A run failed.
-    pub failed: f64,
+columns! {
+    /// A row for each form of lubrication theory and pair: the share of initial angles in each class of trust. Shares
+    /// are from 0 to 1. The difference of a pair is the larger of those of its two squirmers.
+    #[derive(Clone, Debug, PartialEq, Serialize)]
+    pub struct TrustShares {
+        /// Name of the form of lubrication theory.
+        #[unit = "-"]
+        pub method: String,
+        /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
+        #[unit = "-"]
+        pub beta: f64,
+        /// Bottom-heaviness of both squirmers; 0 if gravity does not turn them.
+        #[unit = "-"]
+        pub g: f64,
+        /// Offset out of the plane: squirmer 1 starts at `z = dz/2`, squirmer 2 at `z = -dz/2`.
+        #[unit = "a"]
+        pub dz: f64,
+        /// Share where both models part the pair, and the deflections differ by at most 5 degrees.
+        #[unit = "-"]
+        pub within_5_deg: f64,
+        /// Share where both models part the pair, and the deflections differ by 5 to 15 degrees.
+        #[unit = "-"]
+        pub within_15_deg: f64,
+        /// Share where both models part the pair, and the deflections differ by 15 to 45 degrees.
+        #[unit = "-"]
+        pub within_45_deg: f64,
+        /// Share where both models part the pair, and the deflections differ by more than 45 degrees.
+        #[unit = "-"]
+        pub beyond_45_deg: f64,
+        /// Share where both models give the same outcome, and the pair does not part.
+        #[unit = "-"]
+        pub same_outcome: f64,
+        /// Share where the models give different outcomes.
+        #[unit = "-"]
+        pub other_outcome: f64,
+        /// Share where a run failed.
+        #[unit = "-"]
+        pub failed: f64,
+    }
 }
 
 impl TrustShares {

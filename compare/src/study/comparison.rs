@@ -2,36 +2,51 @@
 
 use serde::Serialize;
 
+use crate::columns::columns;
 use crate::{Case, Encounter, Method};
 
-/// One line of `comparison.csv`: the deflection of one squirmer by every method, in degrees, and its difference from
-/// the exact one. NaN if a run failed or was not requested.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct ComparisonRow {
-    /// Name of the approach.
-    pub case: String,
-    /// Squirmer parameter.
-    pub beta: f64,
-    /// Offset of the paths, in radii.
-    pub dx: f64,
-    /// Which squirmer, 1 or 2.
-    pub squirmer: usize,
-    /// Lubrication theory as published.
-    pub lt_deg: f64,
-    /// Lubrication theory corrected.
-    pub lt_corrected_deg: f64,
-    /// Boundary elements.
-    pub bem_deg: f64,
-    /// Exact hydrodynamics.
-    pub exact_deg: f64,
-    /// Error of lubrication theory as published.
-    pub lt_error_deg: f64,
-    /// Error of lubrication theory corrected.
-    pub lt_corrected_error_deg: f64,
-    /// Error of boundary elements.
-    pub bem_error_deg: f64,
-    /// Outcome by lubrication theory as published, and outcome by exact hydrodynamics.
-    pub outcomes: String,
+columns! {
+    /// A row for each encounter and squirmer. NaN if a run failed or the method was not requested.
+    #[derive(Clone, Debug, PartialEq, Serialize)]
+    pub struct ComparisonRow {
+        /// Name of the approach: `head-on` or `orthogonal`.
+        #[unit = "-"]
+        pub case: String,
+        /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
+        #[unit = "-"]
+        pub beta: f64,
+        /// Offset of the two paths in the plane; for opposed paths the distance between them.
+        #[unit = "a"]
+        pub dx: f64,
+        /// Number of the squirmer, 1 or 2.
+        #[unit = "-"]
+        pub squirmer: usize,
+        /// Deflection by lubrication theory as published.
+        #[unit = "deg"]
+        pub lt_deg: f64,
+        /// Deflection by lubrication theory with the corrected coefficient.
+        #[unit = "deg"]
+        pub lt_corrected_deg: f64,
+        /// Deflection by boundary elements.
+        #[unit = "deg"]
+        pub bem_deg: f64,
+        /// Deflection by exact hydrodynamics.
+        #[unit = "deg"]
+        pub exact_deg: f64,
+        /// Deflection by lubrication theory as published, minus the exact one.
+        #[unit = "deg"]
+        pub lt_error_deg: f64,
+        /// Deflection by corrected lubrication theory, minus the exact one.
+        #[unit = "deg"]
+        pub lt_corrected_error_deg: f64,
+        /// Deflection by boundary elements, minus the exact one.
+        #[unit = "deg"]
+        pub bem_error_deg: f64,
+        /// Outcome by lubrication theory as published, then outcome by exact hydrodynamics, with ` / ` between. A dash
+        /// for a method that was not requested.
+        #[unit = "-"]
+        pub outcomes: String,
+    }
 }
 
 /// Compares encounters by several methods, case by case.

@@ -4,23 +4,33 @@ use rayon::prelude::*;
 use scene::{Gap, Hydrodynamics, LoadSet, SceneError};
 use serde::Serialize;
 
+use crate::columns::columns;
 use crate::{Method, Model};
 
-/// One line of `load-errors.csv`.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct LoadErrorRow {
-    /// Name of the method.
-    pub method: &'static str,
-    /// Gap, in radii.
-    pub gap: f64,
-    /// Name of the load.
-    pub name: String,
-    /// The load by this method.
-    pub value: f64,
-    /// The exact load.
-    pub exact: f64,
-    /// Difference of the load from the exact load, relative to the larger of the exact load and 1.
-    pub error: f64,
+columns! {
+    /// A row for each method, gap and load. `scene::loads` defines the loads; they are pure numbers, for viscosity 1
+    /// and radius 1.
+    #[derive(Clone, Debug, PartialEq, Serialize)]
+    pub struct LoadErrorRow {
+        /// Name of the method.
+        #[unit = "-"]
+        pub method: &'static str,
+        /// Gap between the surfaces of the squirmers.
+        #[unit = "a"]
+        pub gap: f64,
+        /// Name of the load.
+        #[unit = "-"]
+        pub name: String,
+        /// The load by this method.
+        #[unit = "-"]
+        pub value: f64,
+        /// The load by exact hydrodynamics.
+        #[unit = "-"]
+        pub exact: f64,
+        /// Absolute difference of the two, divided by the exact load or by 1, whichever is larger.
+        #[unit = "-"]
+        pub error: f64,
+    }
 }
 
 /// Gaps from 1e-3 to 100 radii, twelve per decade.

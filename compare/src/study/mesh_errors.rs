@@ -6,6 +6,7 @@ use scene::{Gap, Hydrodynamics, LoadSet, PairLoads};
 use serde::Serialize;
 
 use crate::CompareError;
+use crate::columns::columns;
 
 /// Loads of the paper's squirmers.
 const LOADS: LoadSet = LoadSet::all(2);
@@ -16,23 +17,33 @@ const GAPS: [f64; 4] = [1.0, 0.1, 0.01, 0.001];
 /// Highest level. The next level would take longer than all of these levels together.
 const HIGHEST: usize = 4;
 
-/// One line of `mesh-errors.csv`.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct MeshErrorRow {
-    /// Gap, in radii.
-    pub gap: f64,
-    /// Level of the mesh.
-    pub level: usize,
-    /// Number of nodes on a sphere.
-    pub nodes: usize,
-    /// Largest error of a load, relative to the larger of the load and 1 (for thrusts: the larger of the load and 4).
-    pub worst_error: f64,
-    /// Name of the load with the largest error.
-    pub load: String,
-    /// Observed order: the power of the node spacing with which the error fell from the level before.
-    pub order: f64,
-    /// Wall-clock time of all loads, in seconds.
-    pub seconds: f64,
+columns! {
+    /// A row for each gap and level of the mesh. A level that does not resolve the gap has no row.
+    #[derive(Clone, Debug, PartialEq, Serialize)]
+    pub struct MeshErrorRow {
+        /// Gap between the surfaces of the squirmers.
+        #[unit = "a"]
+        pub gap: f64,
+        /// Level of the mesh; higher levels are finer.
+        #[unit = "-"]
+        pub level: usize,
+        /// Number of nodes on a sphere.
+        #[unit = "-"]
+        pub nodes: usize,
+        /// Largest error of a load, divided by the load or by 1 (thrusts: by 4), whichever is larger.
+        #[unit = "-"]
+        pub worst_error: f64,
+        /// Name of the load with the largest error.
+        #[unit = "-"]
+        pub load: String,
+        /// Observed order of convergence: the power of the node spacing with which the error fell from the level
+        /// before. NaN for the first level of a gap.
+        #[unit = "-"]
+        pub order: f64,
+        /// Time to compute all loads at this gap.
+        #[unit = "s"]
+        pub seconds: f64,
+    }
 }
 
 /// The errors at each gap and level. A level that does not resolve a gap is left out.

@@ -8,23 +8,13 @@ use serde::{Deserialize, Serialize};
 use super::manifest::{SweepIdentity, measured};
 use super::merge::ROWS;
 use super::{Arithmetic, Computed, Done, Manifest, ManifestModel, Points, Row, Share, Sweep};
+use crate::columns::{self, Columns as _, columns};
 use crate::encounter::RunNumbers;
 use crate::output::{OutputFolder, csv_lines};
 use crate::{CompareError, Family, Method, Model, NoRun};
 
 /// Name of the file of the rows, without its ending.
 const NAME: &str = "sweep";
-
-/// Columns after those of the parameters.
-pub(super) const COLUMNS: [&str; 7] = [
-    "method",
-    "deflection1_deg",
-    "deflection2_deg",
-    "min_gap",
-    "tau",
-    "outcome",
-    "steps",
-];
 
 /// A sweep of a family. Models are the outer loop, then the axes in their order.
 pub struct FamilySweep<'a> {
@@ -40,16 +30,33 @@ pub struct FamilySweep<'a> {
     pub out: &'a OutputFolder,
 }
 
-/// The columns of a row after the values of the parameters. A run without a result has NaN.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct Tail {
-    method: String,
-    deflection1_deg: f64,
-    deflection2_deg: f64,
-    min_gap: f64,
-    tau: f64,
-    outcome: String,
-    steps: u64,
+columns! {
+    /// A row for each model and point of the sweep. The first columns are the parameters that are varied, by their
+    /// names in the family's file. A run without a result has NaN.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    pub(crate) struct Tail {
+        /// Name of the method.
+        #[unit = "-"]
+        method: String,
+        /// Deflection of squirmer 1: outgoing minus incoming angle in the x-y plane.
+        #[unit = "deg"]
+        deflection1_deg: f64,
+        /// Deflection of squirmer 2: outgoing minus incoming angle in the x-y plane.
+        #[unit = "deg"]
+        deflection2_deg: f64,
+        /// Smallest gap during the run.
+        #[unit = "a"]
+        min_gap: f64,
+        /// Interaction time: the time that the pair spends at gaps up to one radius.
+        #[unit = "a/V_s"]
+        tau: f64,
+        /// Outcome of the run.
+        #[unit = "-"]
+        outcome: String,
+        /// Number of accepted steps of the integrator; 0 for a run without a result.
+        #[unit = "-"]
+        steps: u64,
+    }
 }
 
 impl Tail {
@@ -90,7 +97,7 @@ impl FamilySweep<'_> {
     #[must_use]
     pub fn header(&self) -> Vec<&str> {
         let names = self.points.axes().iter().map(|axis| axis.name.as_str());
-        names.chain(COLUMNS).collect()
+        names.chain(columns::names(Tail::COLUMNS)).collect()
     }
 
     /// Runs the share, writes `sweep.csv` and passes each row to `see`, in order. Writes the manifest after all rows.

@@ -15,6 +15,7 @@ use scene::RunOptions;
 
 pub(crate) use encounters::{encounter, offset_row, skipped};
 pub use encounters::{encounters, offsets, with_offsets};
+pub(crate) use family_sweep::Tail as SweepTail;
 pub use family_sweep::{FamilySweep, SweepRow};
 pub use manifest::{Arithmetic, Axis, Manifest, ManifestModel, SweepIdentity};
 pub use merge::{Merged, merge};

@@ -3,7 +3,8 @@
 use scene::{Exchange, LoadSet, Plan, RunOptions};
 
 use super::Axis;
-use super::family_sweep::COLUMNS;
+use super::SweepTail;
+use crate::columns::{self, Columns as _};
 use crate::{CompareError, Family, Numbers};
 
 /// Largest number of points of a sweep.
@@ -41,6 +42,7 @@ impl Points {
         run: RunChoices,
     ) -> Result<Self, CompareError> {
         let known: Vec<&str> = family.parameters().map(|(name, _)| name).collect();
+        let columns = columns::names(SweepTail::COLUMNS);
         let mut axes: Vec<Axis> = Vec::new();
         for (name, Numbers(values)) in vary {
             if !known.contains(&name.as_str()) {
@@ -51,10 +53,10 @@ impl Points {
                 };
                 return Err(CompareError::input("--vary", name, allowed));
             }
-            if COLUMNS.contains(&name.as_str()) {
+            if columns.contains(&name.as_str()) {
                 let allowed = format!(
                     "columns of every sweep have these names: {}; give the parameter another one",
-                    COLUMNS.join(", ")
+                    columns.join(", ")
                 );
                 return Err(CompareError::input("--vary", name, allowed));
             }

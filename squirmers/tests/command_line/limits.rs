@@ -86,6 +86,12 @@ fn a_report_that_the_time_limit_stops_keeps_the_runs_that_are_done() {
     assert!(!out.join("index.html").exists());
     // All methods take part in them.
     assert!(page.contains("Left out: the hard cases") && !out.join("hard-cases.csv").exists());
+    let listed = columns::listed("report");
+    assert!(
+        columns::described(out)
+            .iter()
+            .all(|file| listed.contains(&&**file))
+    );
 }
 
 #[test]

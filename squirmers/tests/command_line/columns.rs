@@ -1,0 +1,77 @@
+//! Every CSV file has the columns that docs/COLUMNS.md describes.
+
+use super::*;
+use compare::columns::{FILES, names};
+
+/// Names of the CSV files that the list of columns ascribes to a command.
+pub fn listed(command: &str) -> Vec<&'static str> {
+    let files = FILES.iter().filter(|file| file.commands.contains(&command));
+    let mut names: Vec<_> = files.map(|file| file.name).collect();
+    names.sort_unstable();
+    names
+}
+
+/// Compares the header of each CSV file in `out` with the list of columns, and returns the names of the files that have
+/// rows. A file without rows has no header.
+pub fn described(out: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(out).unwrap();
+    let mut files: Vec<_> = entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter(|name| name.ends_with(".csv"))
+        .collect();
+    files.sort();
+    files.retain(|name| {
+        let file = FILES.iter().find(|file| file.name == *name);
+        let file = file.unwrap_or_else(|| panic!("'{name}' is not in the list of columns"));
+        let mut expected = names(file.columns);
+        if name == "sweep.csv" {
+            expected.insert(0, "dx");
+        }
+        let mut reader = csv::Reader::from_path(out.join(name)).unwrap();
+        let header = reader.headers().unwrap();
+        assert!(
+            header.is_empty() || *header == expected,
+            "{name}: {header:?}"
+        );
+        !header.is_empty()
+    });
+    files
+}
+
+#[test]
+fn every_csv_file_of_a_command_is_listed_with_its_columns() {
+    let fixtures = concat!(env!("CARGO_MANIFEST_DIR"), "/../fixtures");
+    let scene = format!("{fixtures}/scenes/fig6-head-on-dx1.toml");
+    for arguments in [
+        "loads --gap 1 --method lt",
+        "head-on --dx 1 --method lt",
+        "orthogonal --dx 1 --method lt",
+        "offset --dz 0.5 --method lt",
+        "scatter --beta 5 --grid 4 --method lt",
+        "fates --beta 5 --grid 4 --method lt",
+        "trust --beta 5 --grid 4 --method lt-corrected,exact",
+        "bottom-heavy --method lt",
+        "run SCENE",
+        "sweep opposed --vary dx=1 --method lt",
+        "hard-cases --only no-repulsion",
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let arguments: Vec<_> = (arguments.split(' '))
+            .map(|word| if word == "SCENE" { &*scene } else { word })
+            .collect();
+        let output = squirmers(folder.path(), &arguments);
+        assert!(output.status.success(), "{output:?}");
+        assert_eq!(described(folder.path()), listed(arguments[0]));
+    }
+}
+
+#[test]
+fn the_list_of_columns_names_commands_that_exist() {
+    for command in FILES.iter().flat_map(|file| file.commands) {
+        let output = Command::new(env!("CARGO_BIN_EXE_squirmers"))
+            .args([command, "--help"])
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{command}");
+    }
+}
