@@ -223,15 +223,6 @@ pub fn csv_text<T: Serialize>(rows: &[T]) -> Result<String, CompareError> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// The header of the CSV text of some rows, without its end of line.
-///
-/// # Errors
-/// [`CompareError::Rows`] if a row cannot be written as a line.
-pub fn csv_header<T: Serialize>(rows: &[T]) -> Result<String, CompareError> {
-    let text = csv_text(rows)?;
-    Ok(text.lines().next().unwrap_or_default().to_owned())
-}
-
 /// Rows as CSV lines without a header.
 pub fn csv_lines<T: Serialize>(rows: &[T]) -> Result<String, CompareError> {
     let mut writer = csv::WriterBuilder::new()

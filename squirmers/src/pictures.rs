@@ -3,7 +3,7 @@
 use crate::error::CommandError;
 use crate::figures::{self, FigureError};
 use compare::bottom_heavy::PanelRun;
-use compare::kept_rows::Drawn;
+use compare::encounter_sweep::Drawn;
 use compare::maps::{FateRow, Pair, ScatterRow, TrustRow, TrustShares};
 use compare::numbers::written;
 use compare::{Approach, Encounter, OffsetRow};

@@ -48,6 +48,11 @@ pub fn names(columns: &[Column]) -> Vec<&'static str> {
     columns.iter().map(|column| column.name).collect()
 }
 
+/// The header line of the rows, without its end.
+pub(crate) fn header<R: Columns>() -> String {
+    names(R::COLUMNS).join(",")
+}
+
 /// Defines the struct of a row and its [`Columns`]. Each field has documentation, then `#[unit = "..."]`, then other
 /// attributes.
 macro_rules! columns {

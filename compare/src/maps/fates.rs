@@ -7,7 +7,9 @@ use super::Maps;
 use super::grid::Pair;
 use super::scatter::{ScatterRow, line};
 use crate::columns::columns;
+use crate::encounter::FAILED;
 use crate::output::csv_lines;
+use crate::sweep::Row;
 use crate::{CompareError, Method, Model};
 
 columns! {
@@ -115,10 +117,11 @@ impl Counts {
         }
         counts
     }
+}
 
-    /// Number of failed runs.
-    fn without_result(&self) -> usize {
-        self.0[Outcome::ALL.len()]
+impl Row for Counts {
+    fn outcomes(&self) -> impl Iterator<Item = &str> {
+        std::iter::repeat_n(FAILED, self.0[Outcome::ALL.len()])
     }
 }
 
@@ -137,13 +140,10 @@ impl Maps<'_> {
             return Ok(None);
         };
         let mut rows = Vec::new();
-        let mut see = |model: &Model, pair, counts: Vec<Counts>| -> Result<(), CompareError> {
-            let failed = counts.iter().map(Counts::without_result).sum();
-            self.out.account().failed(failed);
+        self.read(&lines, &mut |model, pair, counts: Vec<Counts>| {
             rows.push(fate_row(model.method(), pair, &counts));
-            Ok(())
-        };
-        self.hand_over(lines, false, &mut see)?;
+            Ok::<_, CompareError>(())
+        })?;
         Ok(Some(rows))
     }
 }

@@ -6,14 +6,13 @@ mod grid;
 mod scatter;
 mod trust;
 
-use std::io::Write;
+use std::iter::Peekable;
 
 use scene::RunOptions;
-use serde::Serialize;
-use serde::de::DeserializeOwned;
 
-use crate::output::{OutputFolder, csv_header};
-use crate::sweep::{self, Computed, Kept, Sweep, SweepOptions};
+use crate::columns::{self, Columns};
+use crate::output::OutputFolder;
+use crate::sweep::{self, Computed, Done, Kept, Row, Sweep, SweepOptions};
 use crate::watch::notice;
 use crate::{CompareError, Model};
 
@@ -26,7 +25,7 @@ pub use trust::{CLASSES as TRUST_CLASSES, same_map};
 pub use trust::{TrustRow, TrustShares, trust_rows, trust_shares};
 
 /// A function that is called with the model, the pair and the rows of each map.
-pub type SeeMap<'s, R, E> = dyn FnMut(&Model, Pair, Vec<R>) -> Result<(), E> + 's;
+pub type EachMap<'s, R, E> = dyn FnMut(&Model, Pair, Vec<R>) -> Result<(), E> + 's;
 
 /// Maps of every model and pair, in this order. A map is a grid; each of its lines of constant `Sigma` is computed and
 /// kept separately. A command that was stopped continues with the missing lines.
@@ -76,8 +75,10 @@ impl Maps<'_> {
     }
 
     /// The model and the pair of each map, in order.
-    fn each(&self) -> impl Iterator<Item = (&Model, Pair)> {
-        (self.models.iter()).flat_map(|model| self.pairs.iter().map(move |&pair| (*model, pair)))
+    fn maps(&self) -> Peekable<impl Iterator<Item = (&Model, Pair)>> {
+        (self.models.iter())
+            .flat_map(|model| self.pairs.iter().map(move |&pair| (*model, pair)))
+            .peekable()
     }
 
     /// The sweep of all lines of constant `Sigma`; each line is kept separately.
@@ -124,58 +125,40 @@ impl Maps<'_> {
         Ok(Some(kept))
     }
 
-    /// The range of lines of the map with number `map`.
-    fn lines_of_map(&self, map: usize) -> std::ops::Range<usize> {
-        let lines = self.grid.points();
-        map * lines..(map + 1) * lines
-    }
-
-    /// Passes the rows of each map to `see`, one map at a time. Writes them to the file of the maps if `to_file`.
-    fn hand_over<R: Serialize + DeserializeOwned, E: From<CompareError>>(
+    /// Writes the file of the maps, and passes the rows of each map to `each`, one map at a time.
+    fn write<R: Row + Columns, E: From<CompareError>>(
         &self,
         kept: Kept<'_>,
-        to_file: bool,
-        see: &mut SeeMap<'_, R, E>,
+        each: &mut EachMap<'_, R, E>,
     ) -> Result<(), E> {
-        let mut maps = |file: Option<&mut dyn Write>| -> Result<(), E> {
-            let mut file = file;
-            for (map, (model, pair)) in self.each().enumerate() {
-                let rows = kept.rows(self.lines_of_map(map))?;
-                if let Some(file) = &mut file {
-                    self.write_map(&kept, map, &rows, file)?;
-                }
-                see(model, pair, rows)?;
+        let points = self.grid.points().pow(2);
+        let (mut maps, mut rows) = (self.maps(), Vec::new());
+        let left_out = |_| Ok(Computed::default());
+        kept.write(&columns::header::<R>(), &left_out, &mut |row: R| {
+            rows.push(row);
+            match maps.next_if(|_| rows.len() == points) {
+                Some((model, pair)) => each(model, pair, std::mem::take(&mut rows)),
+                None => Ok(()),
             }
-            Ok(())
-        };
-        if !to_file {
-            // The caller deletes the kept lines after it has written its own file.
-            return maps(None);
-        }
-        let name = format!("{}.csv", self.name);
-        self.out.write_by(&name, |file| maps(Some(file)))?;
-        Ok(kept.close()?)
+        })?;
+        Ok(())
     }
 
-    /// Writes the lines of a map. The first map also gets the header.
-    fn write_map<R: Serialize>(
+    /// Passes the rows of each map to `each`, one map at a time. The kept lines are deleted when the caller has written a
+    /// file of its own.
+    fn read<R: Row, E: From<CompareError>>(
         &self,
         kept: &Kept<'_>,
-        map: usize,
-        rows: &[R],
-        file: &mut dyn Write,
-    ) -> Result<(), CompareError> {
-        let name = format!("{}.csv", self.name);
-        let mut write = |text: &str| {
-            let written = file.write_all(text.as_bytes());
-            written.map_err(|source| self.out.failed(&name, source))
-        };
-        if map == 0 {
-            write(&(csv_header(rows.get(..1).unwrap_or_default())? + "\n"))?;
+        each: &mut EachMap<'_, R, E>,
+    ) -> Result<(), E> {
+        let lines = self.grid.points();
+        let mut done = Done::default();
+        for (map, (model, pair)) in self.maps().enumerate() {
+            let rows = kept.rows::<R>(map * lines..(map + 1) * lines)?;
+            rows.iter().for_each(|row| done.add(row));
+            each(model, pair, rows)?;
         }
-        for line in self.lines_of_map(map) {
-            write(&kept.lines(line)?.unwrap_or_default())?;
-        }
+        self.out.account().failed(done.failed);
         Ok(())
     }
 }

@@ -4,10 +4,11 @@ use scene::{Outcome, RunOptions};
 use serde::{Deserialize, Serialize};
 
 use super::grid::{Grid, Pair};
-use super::{Maps, SeeMap};
+use super::{EachMap, Maps};
 use crate::columns::columns;
-use crate::encounter::{FAILED, RunNumbers};
+use crate::encounter::RunNumbers;
 use crate::output::csv_lines;
+use crate::sweep::Row;
 use crate::{CompareError, Method, Model};
 
 columns! {
@@ -93,15 +94,15 @@ pub(super) fn line(
 }
 
 impl Maps<'_> {
-    /// Passes the rows of each map to `see`, one map at a time, with `Delta` varying fastest. Writes all rows to the
+    /// Passes the rows of each map to `each`, one map at a time, with `Delta` varying fastest. Writes all rows to the
     /// file of the maps. Returns whether all are done; if the time limit left something out, the same command
     /// continues.
     ///
     /// # Errors
-    /// [`CompareError::Write`] if rows cannot be kept; the errors of `see`.
+    /// [`CompareError::Write`] if rows cannot be kept; the errors of `each`.
     pub fn scatter<E: From<CompareError>>(
         &self,
-        see: &mut SeeMap<'_, ScatterRow, E>,
+        each: &mut EachMap<'_, ScatterRow, E>,
     ) -> Result<bool, E> {
         let sweep = self.sweep();
         let lines = self.lines(&sweep, |model, pair, sigma, options| {
@@ -110,12 +111,14 @@ impl Maps<'_> {
         let Some(lines) = lines else {
             return Ok(false);
         };
-        self.hand_over(lines, true, &mut |model, pair, rows: Vec<ScatterRow>| {
-            let failed = rows.iter().filter(|row| row.outcome == FAILED).count();
-            self.out.account().failed(failed);
-            see(model, pair, rows)
-        })?;
+        self.write(lines, each)?;
         Ok(true)
+    }
+}
+
+impl Row for ScatterRow {
+    fn outcomes(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.outcome.as_str())
     }
 }
 

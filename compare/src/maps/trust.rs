@@ -5,11 +5,12 @@ use serde::{Deserialize, Serialize};
 
 use super::grid::Pair;
 use super::scatter::{ScatterRow, line};
-use super::{Maps, SeeMap};
+use super::{EachMap, Maps};
 use crate::CompareError;
 use crate::columns::columns;
 use crate::encounter::FAILED;
 use crate::output::csv_lines;
+use crate::sweep::Row;
 
 columns! {
     /// A row for each form of lubrication theory, pair and point of the grid of initial angles. Differences are deflections
@@ -207,18 +208,24 @@ pub fn trust_rows(judged: &[ScatterRow], exact: &[ScatterRow], pair: Pair) -> Ve
         .collect()
 }
 
+impl Row for TrustRow {
+    fn outcomes(&self) -> impl Iterator<Item = &str> {
+        [self.outcome_lt.as_str(), self.outcome_exact.as_str()].into_iter()
+    }
+}
+
 impl Maps<'_> {
     /// Compares each of the models with the exact one, for every pair and point of the grid. Passes the rows of each
-    /// map to `see`, one map at a time, and writes all rows to the file of the maps if `kept`. Returns whether all are
+    /// map to `each`, one map at a time, and writes all rows to the file of the maps if `kept`. Returns whether all are
     /// done; if the time limit left something out, the same command continues.
     ///
     /// # Errors
     /// [`CompareError::Write`] if rows cannot be kept; [`CompareError::Input`] without an exact model; the errors of
-    /// `see`.
+    /// `each`.
     pub fn trust<E: From<CompareError>>(
         &self,
         kept: bool,
-        see: &mut SeeMap<'_, TrustRow, E>,
+        each: &mut EachMap<'_, TrustRow, E>,
     ) -> Result<bool, E> {
         let Some(exact) = self.exact else {
             let allowed = "name exact and the methods to compare with it, such as lt,exact";
@@ -233,12 +240,11 @@ impl Maps<'_> {
         let Some(lines) = lines else {
             return Ok(false);
         };
-        self.hand_over(lines, kept, &mut |model, pair, rows: Vec<TrustRow>| {
-            let outcomes = (rows.iter()).flat_map(|row| [&row.outcome_lt, &row.outcome_exact]);
-            let failed = outcomes.filter(|outcome| *outcome == FAILED).count();
-            self.out.account().failed(failed);
-            see(model, pair, rows)
-        })?;
+        if kept {
+            self.write(lines, each)?;
+        } else {
+            self.read(&lines, each)?;
+        }
         Ok(true)
     }
 }

@@ -87,8 +87,8 @@ impl SweepRow {
 }
 
 impl Row for SweepRow {
-    fn outcome(&self) -> &str {
-        self.behind(2)
+    fn outcomes(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.behind(2))
     }
 }
 
@@ -100,11 +100,11 @@ impl FamilySweep<'_> {
         names.chain(columns::names(Tail::COLUMNS)).collect()
     }
 
-    /// Runs the share, writes `sweep.csv` and passes each row to `see`, in order. Writes the manifest after all rows.
+    /// Runs the share, writes `sweep.csv` and passes each row to `each`, in order. Writes the manifest after all rows.
     ///
     /// # Errors
     /// The errors of [`Sweep::run`]; [`CompareError::Input`] for a share without a row.
-    pub fn run(&self, see: &mut dyn FnMut(SweepRow)) -> Result<Done, CompareError> {
+    pub fn run(&self, each: &mut dyn FnMut(SweepRow)) -> Result<Done, CompareError> {
         let began = Instant::now();
         let all = self.models.len() * self.points.count();
         let units = self.share.units(all);
@@ -128,7 +128,10 @@ impl FamilySweep<'_> {
             .collect();
         let header = csv_record(&self.header())?;
         let kept = sweep.run(|unit| self.compute(&families, unit))?;
-        let done = kept.write(&header, &|unit| self.skipped(unit), see)?;
+        let done: Done = kept.write(&header, &|unit| self.skipped(unit), &mut |row| {
+            each(row);
+            Ok::<_, CompareError>(())
+        })?;
         if done.is_complete() {
             let path = self.out.path().join(ROWS);
             let (bytes, checksum) =

@@ -22,10 +22,10 @@ const PIECES: usize = 1000;
 /// Largest number of reasons of failures that are shown.
 const REASONS: usize = 20;
 
-/// A row that has an outcome.
+/// A row that is read back from the kept lines.
 pub trait Row: DeserializeOwned {
-    /// Outcome, `failed` or `skipped`.
-    fn outcome(&self) -> &str;
+    /// Outcomes of its runs, `failed` or `skipped`.
+    fn outcomes(&self) -> impl Iterator<Item = &str>;
 }
 
 /// Units of rows. A piece is one unit or several that are kept together. A file holds the rows of all units in order.
@@ -60,18 +60,18 @@ pub struct Computed {
 pub struct Done {
     /// Number of all rows.
     pub rows: usize,
-    /// Number of rows of failed runs.
+    /// Number of failed runs.
     pub failed: usize,
-    /// Number of rows of runs that the time limit left out.
+    /// Number of runs that the time limit left out.
     pub skipped: usize,
 }
 
 impl Done {
-    /// Counts a row by its outcome.
-    pub fn add(&mut self, outcome: &str) {
+    /// Counts a row by the outcomes of its runs.
+    pub fn add(&mut self, row: &impl Row) {
         self.rows += 1;
-        self.failed += usize::from(outcome == FAILED);
-        self.skipped += usize::from(outcome == SKIPPED);
+        self.failed += row.outcomes().filter(|outcome| *outcome == FAILED).count();
+        self.skipped += row.outcomes().filter(|outcome| *outcome == SKIPPED).count();
     }
 
     /// Whether no run was left out.
@@ -208,23 +208,23 @@ impl Kept<'_> {
         self.journal.close()
     }
 
-    /// Writes the line `header` and all rows to the file, and passes each row to `see`, in order. The function
+    /// Writes the line `header` and all rows to the file, and passes each row to `each`, in order. The function
     /// `skipped` gives the lines of a unit that the time limit left out. A file that already has more finished rows is
     /// not changed. Reports failed runs and runs that were left out, and counts them in the account of the folder.
     ///
     /// # Errors
-    /// [`CompareError::Write`]; [`CompareError::Rows`].
-    pub fn write<R: Row>(
+    /// [`CompareError::Write`]; [`CompareError::Rows`]; the errors of `each`.
+    pub fn write<R: Row, E: From<CompareError>>(
         self,
         header: &str,
         skipped: &dyn Fn(usize) -> Result<Computed, CompareError>,
-        see: &mut dyn FnMut(R),
-    ) -> Result<Done, CompareError> {
+        each: &mut dyn FnMut(R) -> Result<(), E>,
+    ) -> Result<Done, E> {
         let Sweep { name, out, .. } = *self.sweep;
         let file = format!("{name}.csv");
         let mut done = Done::default();
         let mut left_out = Vec::new();
-        let mut fill = |to: &mut dyn Write| -> Result<(), CompareError> {
+        let mut fill = |to: &mut dyn Write| -> Result<(), E> {
             let failed = |source| out.failed(&file, source);
             writeln!(to, "{header}").map_err(failed)?;
             for piece in 0..self.pieces() {
@@ -242,8 +242,8 @@ impl Kept<'_> {
                 };
                 to.write_all(lines.as_bytes()).map_err(failed)?;
                 for row in rows_of::<R>(&lines)? {
-                    done.add(row.outcome());
-                    see(row);
+                    done.add(&row);
+                    each(row)?;
                 }
             }
             Ok(())
@@ -258,7 +258,7 @@ impl Kept<'_> {
             notice!("{reason}");
         }
         if done.failed > self.reasons.len() {
-            notice!("{} of {} rows failed", done.failed, done.rows);
+            notice!("{} runs of {} rows failed", done.failed, done.rows);
         }
         if done.skipped > 0 {
             notice!(

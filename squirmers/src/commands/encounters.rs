@@ -1,6 +1,6 @@
 //! `squirmers head-on`, `orthogonal` and `offset`: the paper's encounters, with and without an offset out of the plane.
 
-use compare::kept_rows::{Drawn, KeptRows};
+use compare::encounter_sweep::{Drawn, EncounterSweep};
 use compare::numbers::{Numbers, rounded, written};
 use compare::{Approach, Case, Defaults, EncounterRow, Method, sweep};
 
@@ -35,7 +35,7 @@ pub(super) fn encounters(
     let options = options.for_scenes(cases.iter().map(Case::scene))?;
     let models = set_up(&methods, &options)?;
     let runs = models.len() * cases.len();
-    let kept = KeptRows {
+    let kept = EncounterSweep {
         name: &approach.to_string(),
         models: &models,
         cases: &cases,
@@ -100,7 +100,7 @@ pub(super) fn offset(
     let options = options.for_scenes(all.iter().map(Case::scene))?;
     let models = set_up(&methods, &options)?;
     let runs = models.len() * all.len();
-    let kept = KeptRows {
+    let kept = EncounterSweep {
         name: "offset",
         models: &models,
         cases: &all,

@@ -3,7 +3,7 @@
 use crate::error::CommandError;
 use crate::streams::say;
 use compare::Approach;
-use compare::kept_rows::{Drawn, MOST_RUNS};
+use compare::encounter_sweep::{Drawn, MOST_RUNS};
 use compare::output::OutputFolder;
 
 /// The number of combinations, if a sweep can have so many.

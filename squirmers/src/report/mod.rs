@@ -20,7 +20,7 @@ use crate::commands::encounters::cases;
 use crate::commands::maps::METHODS;
 use crate::page::{Figure, MethodCost, Page, Section, Table, render};
 use crate::pictures::{Picture, of_encounters, of_offsets};
-use compare::kept_rows::{Drawn, KeptRows};
+use compare::encounter_sweep::{Drawn, EncounterSweep};
 use compare::output::{OutputFolder, csv_text};
 use compare::sweep::{self, SweepOptions};
 use maps::ReportMaps;
@@ -120,14 +120,14 @@ fn offset_cases() -> Result<(Vec<f64>, Vec<Case>), CommandError> {
     Ok((defaults.dz, cases))
 }
 
-fn kept_rows<'a>(
+fn encounter_sweep<'a>(
     name: &'a str,
     models: &'a [Model],
     cases: &'a [Case],
     options: &'a SweepOptions,
     out: &'a OutputFolder,
-) -> KeptRows<'a> {
-    KeptRows {
+) -> EncounterSweep<'a> {
+    EncounterSweep {
         name,
         models,
         cases,
@@ -144,10 +144,10 @@ fn check_kept(
 ) -> Result<(), CommandError> {
     for approach in [Approach::HeadOn, Approach::Orthogonal] {
         let (name, cases) = (approach.to_string(), paper_cases(approach)?);
-        kept_rows(&name, models, &cases, sweep, out).check_encounters()?;
+        encounter_sweep(&name, models, &cases, sweep, out).check_encounters()?;
     }
     let (dz, cases) = offset_cases()?;
-    Ok(kept_rows("offset", models, &cases, sweep, out).check_offsets(&dz)?)
+    Ok(encounter_sweep("offset", models, &cases, sweep, out).check_offsets(&dz)?)
 }
 
 /// The content of the page so far.
@@ -167,7 +167,7 @@ impl Content {
         out: &OutputFolder,
     ) -> Result<(), CommandError> {
         let (name, cases) = (approach.to_string(), paper_cases(approach)?);
-        let kept = kept_rows(&name, models, &cases, sweep, out);
+        let kept = encounter_sweep(&name, models, &cases, sweep, out);
         let mut rows = Vec::new();
         let encounters = kept.encounters(Drawn::Paths, &mut |row| rows.push(row))?;
         let csv = csv_text(&rows)?;
@@ -197,7 +197,7 @@ impl Content {
         out: &OutputFolder,
     ) -> Result<(), CommandError> {
         let (dz, cases) = offset_cases()?;
-        let kept = kept_rows("offset", models, &cases, sweep, out);
+        let kept = encounter_sweep("offset", models, &cases, sweep, out);
         let mut rows = Vec::new();
         kept.offsets(&dz, &mut |row| rows.push(row))?;
         let csv = csv_text(&rows)?;

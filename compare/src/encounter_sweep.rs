@@ -6,7 +6,8 @@ use std::sync::{Mutex, PoisonError};
 
 use scene::RunOptions;
 
-use crate::output::{OutputFolder, csv_header, csv_lines};
+use crate::columns::{self, Columns};
+use crate::output::{OutputFolder, csv_lines};
 use crate::sweep::{self, Computed, Done, Row, Sweep, SweepOptions};
 use crate::{Case, CompareError, Encounter, EncounterRow, Model, OffsetRow};
 
@@ -21,19 +22,19 @@ const MOST_DRAWN: usize = 120;
 const MOST_POINTS: usize = 2000;
 
 impl Row for EncounterRow {
-    fn outcome(&self) -> &str {
-        &self.outcome
+    fn outcomes(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.outcome.as_str())
     }
 }
 
 impl Row for OffsetRow {
-    fn outcome(&self) -> &str {
-        &self.outcome
+    fn outcomes(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.outcome.as_str())
     }
 }
 
 /// A sweep of encounters: its cases and models, and where its rows are written.
-pub struct KeptRows<'a> {
+pub struct EncounterSweep<'a> {
     /// Name of the file of its rows, without the ending.
     pub name: &'a str,
     /// The models.
@@ -79,7 +80,7 @@ impl Drawn {
     }
 }
 
-impl KeptRows<'_> {
+impl EncounterSweep<'_> {
     /// The pictures of the encounters that are drawn. Each panel shows one model and one beta.
     pub fn drawn(&self) -> Drawn {
         let same = |a: &Case, b: &Case| a.beta.total_cmp(&b.beta).is_eq();
@@ -139,14 +140,14 @@ impl KeptRows<'_> {
         self.sweep(self.models.len() * cases).check()
     }
 
-    /// Runs every case by every method. Passes each row to `see`, in order, and returns the encounters to draw.
+    /// Runs every case by every method. Passes each row to `each`, in order, and returns the encounters to draw.
     ///
     /// # Errors
     /// As [`Sweep::run`] and [`Kept::write`](crate::sweep::Kept::write).
     pub fn encounters(
         &self,
         drawn: Drawn,
-        see: &mut dyn FnMut(EncounterRow),
+        each: &mut dyn FnMut(EncounterRow),
     ) -> Result<Vec<Encounter>, CompareError> {
         let options = RunOptions {
             sample_interval: (self.options.run.sample_interval).filter(|_| drawn == Drawn::Paths),
@@ -172,10 +173,8 @@ impl KeptRows<'_> {
             })
         };
         let drawn_runs = Mutex::new(BTreeMap::new());
-        let header = csv_header(&[skipped(0).row()])?;
         let done = self.write(
             runs,
-            &header,
             |number| {
                 let encounter = run(number);
                 let computed = computed(&encounter);
@@ -186,7 +185,7 @@ impl KeptRows<'_> {
                 computed
             },
             &|number| computed(&skipped(number)),
-            see,
+            each,
         )?;
         if drawn == Drawn::Nothing || !done.is_complete() {
             return Ok(Vec::new());
@@ -205,7 +204,7 @@ impl KeptRows<'_> {
     pub fn offsets(
         &self,
         dz: &[f64],
-        see: &mut dyn FnMut(OffsetRow),
+        each: &mut dyn FnMut(OffsetRow),
     ) -> Result<bool, CompareError> {
         let options = RunOptions {
             sample_interval: None,
@@ -238,7 +237,6 @@ impl KeptRows<'_> {
         };
         let done = self.write(
             self.models.len() * cases,
-            &csv_header(&rows(&skipped(0)))?,
             |number| {
                 let (model, cases) = of(number);
                 let encounters: Vec<_> = (cases.iter())
@@ -247,21 +245,23 @@ impl KeptRows<'_> {
                 computed(&encounters)
             },
             &|number| computed(&skipped(number)),
-            see,
+            each,
         )?;
         Ok(done.is_complete())
     }
 
     /// Computes and writes `units` units.
-    fn write<R: Row>(
+    fn write<R: Row + Columns>(
         &self,
         units: usize,
-        header: &str,
         compute: impl Fn(usize) -> Result<Computed, CompareError> + Sync,
         skipped: &dyn Fn(usize) -> Result<Computed, CompareError>,
-        see: &mut dyn FnMut(R),
+        each: &mut dyn FnMut(R),
     ) -> Result<Done, CompareError> {
-        let sweep = self.sweep(units);
-        sweep.run(compute)?.write(header, skipped, see)
+        let (sweep, header) = (self.sweep(units), columns::header::<R>());
+        sweep.run(compute)?.write(&header, skipped, &mut |row| {
+            each(row);
+            Ok(())
+        })
     }
 }
