@@ -138,9 +138,9 @@ fn force_balance(bencher: Bencher<'_, '_>) {
 mod collision {
     use super::*;
     use compare::{Approach, Case};
-    use scene::{RunOptions, run};
+    use scene::{Plan, Run, RunOptions, run_observed};
 
-    fn bench<M: Hydrodynamics>(bencher: Bencher<'_, '_>, model: &M, dx: f64) {
+    fn bench(bencher: Bencher<'_, '_>, run: &dyn Fn(&Plan, &RunOptions) -> Run, dx: f64) {
         let case = Case {
             approach: Approach::HeadOn,
             beta: 5.0,
@@ -149,17 +149,23 @@ mod collision {
         };
         let scene = case.scene().unwrap();
         let options = RunOptions::default();
-        bencher.bench(|| run(black_box(&scene), model, &options).unwrap());
+        bencher.bench_local(|| run(&Plan::new(black_box(&scene)).unwrap(), &options));
     }
 
     #[divan::bench(args = [1.0, 2.0, 3.0])]
     fn lubrication(bencher: Bencher<'_, '_>, dx: f64) {
-        bench(bencher, &Lubrication::new(Form::Published), dx);
+        let model = Lubrication::new(Form::Published);
+        let run =
+            |plan: &Plan, options: &RunOptions| model.run(plan, options, &mut |_| {}).unwrap();
+        bench(bencher, &run, dx);
     }
 
     #[divan::bench(args = [1.0, 2.0, 3.0])]
     fn tabulated_exact(bencher: Bencher<'_, '_>, dx: f64) {
-        bench(bencher, table(), dx);
+        let run = |plan: &Plan, options: &RunOptions| {
+            run_observed(plan, table(), options, &mut |_| {}).unwrap()
+        };
+        bench(bencher, &run, dx);
     }
 }
 

@@ -9,7 +9,7 @@ use lt::{Form, Lubrication};
 use scene::{
     Configuration, Gap, Hydrodynamics, Isolated, LoadSet, ModelDescription, PairLoads, Plan,
     PlanRow, Rates, Run, RunOptions, Sample, Scene, SceneError, SwirlLoads, TableOptions,
-    TableSummary, Tabulated, rates_any, run_any,
+    TableSummary, Tabulated, rates, run_observed,
 };
 
 use crate::scene_file::Hydrodynamics as InFiles;
@@ -216,7 +216,7 @@ impl Model {
     ) -> Result<Run, SceneError> {
         match &self.kind {
             Kind::Lubrication(model) => model.run(plan, options, observe),
-            _ => run_any(plan, self.hydrodynamics(), options, observe),
+            _ => run_observed(plan, self.hydrodynamics(), options, observe),
         }
     }
 
@@ -232,7 +232,7 @@ impl Model {
     ) -> Result<Rates, SceneError> {
         match &self.kind {
             Kind::Lubrication(model) => model.rates(plan, configuration, times),
-            _ => rates_any(plan, self.hydrodynamics(), configuration, times),
+            _ => rates(plan, self.hydrodynamics(), configuration, times),
         }
     }
 

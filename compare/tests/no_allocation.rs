@@ -10,14 +10,19 @@ use std::alloc::System;
 use compare::{Approach, Case};
 use exact::Exact;
 use lt::{Form, Lubrication};
-use scene::{Gap, Hydrodynamics, LoadSet, RunOptions, TableOptions, Tabulated, run};
+use scene::{
+    Gap, Hydrodynamics, LoadSet, Plan, Run, RunOptions, TableOptions, Tabulated, run_plan,
+};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
 #[global_allocator]
 static COUNTING: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
+/// Runs a plan by some model.
+type RunPlan<'m> = dyn Fn(&Plan, &RunOptions) -> Run + 'm;
+
 /// Allocations and steps of a collision of Fig. 6, in the plane or out of it.
-fn allocations(model: &impl Hydrodynamics, tolerance: f64, dz: f64) -> (usize, u64) {
+fn allocations(run: &RunPlan<'_>, tolerance: f64, dz: f64) -> (usize, u64) {
     let case = Case {
         approach: Approach::HeadOn,
         beta: 5.0,
@@ -29,8 +34,9 @@ fn allocations(model: &impl Hydrodynamics, tolerance: f64, dz: f64) -> (usize, u
         tolerance,
         ..RunOptions::default()
     };
+    let plan = Plan::new(&scene).unwrap();
     let region = Region::new(COUNTING);
-    let found = run(&scene, model, &options).unwrap();
+    let found = run(&plan, &options);
     let change = region.change();
     (
         change.allocations + change.reallocations,
@@ -38,10 +44,10 @@ fn allocations(model: &impl Hydrodynamics, tolerance: f64, dz: f64) -> (usize, u
     )
 }
 
-fn allocates_nothing(name: &str, model: &impl Hydrodynamics) {
+fn allocates_nothing(name: &str, run: &RunPlan<'_>) {
     for dz in [0.0, 0.3] {
         for tolerance in [1e-4, 1e-8, 1e-12] {
-            let (found, steps) = allocations(model, tolerance, dz);
+            let (found, steps) = allocations(run, tolerance, dz);
             assert_eq!(found, 0, "{name}, dz {dz}, {steps} steps at {tolerance:e}");
         }
     }
@@ -50,7 +56,10 @@ fn allocates_nothing(name: &str, model: &impl Hydrodynamics) {
 // One test, because what runs beside it would be counted too.
 #[test]
 fn trajectories_allocate_nothing() {
-    allocates_nothing("lubrication", &Lubrication::new(Form::Published));
+    let lubrication = Lubrication::new(Form::Published);
+    allocates_nothing("lubrication", &|plan, options| {
+        lubrication.run(plan, options, &mut |_| {}).unwrap()
+    });
     let options = TableOptions {
         set: LoadSet::all(2),
         tolerance: 1e-6,
@@ -65,5 +74,7 @@ fn trajectories_allocate_nothing() {
     let region = Region::new(COUNTING);
     let copy = std::hint::black_box(vec![1.0; 10]);
     assert_eq!(region.change().allocations, 1, "{copy:?}");
-    allocates_nothing("table", &table);
+    allocates_nothing("table", &|plan, options| {
+        run_plan(plan, &table, options).unwrap()
+    });
 }

@@ -7,7 +7,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use lt::{Form, Lubrication};
-use scene::{Pose, Repulsion, RunOptions, Scene, SceneError, Squirmer, run};
+use scene::{Plan, Pose, Repulsion, RunOptions, Scene, SceneError, Squirmer};
 
 const REPEATS: usize = 20_000;
 
@@ -21,11 +21,12 @@ fn main() -> Result<(), SceneError> {
             Pose::planar(0.5 * dx, -5.0, 90.0),
         ];
         let scene = Scene::new([squirmer; 2], start, Some(Repulsion::PAPER), None)?;
-        let mut found = run(&scene, &model, &options)?;
+        let run = |scene| model.run(&Plan::new(scene)?, &options, &mut |_| {});
+        let mut found = run(&scene)?;
         let mut least = f64::INFINITY;
         for _ in 0..REPEATS {
             let began = Instant::now();
-            found = black_box(run(black_box(&scene), &model, &options)?);
+            found = black_box(run(black_box(&scene))?);
             least = least.min(began.elapsed().as_secs_f64());
         }
         let deflection = found.deflections_rad()[0].to_degrees();

@@ -63,20 +63,20 @@ impl Lubrication {
 const RANGE: GapRange = GapRange::from(f64::MIN_POSITIVE);
 
 impl Lubrication {
-    /// Runs a plan and hands over its samples as they come: [`scene::run_observed`], compiled once for this model, here.
+    /// Runs a plan and hands over its samples as they come: [`scene::run_monomorphic`], compiled once, here.
     ///
     /// # Errors
-    /// As [`scene::run_observed`].
+    /// As [`scene::run`].
     pub fn run(
         &self,
         plan: &Plan,
         options: &RunOptions,
         observe: &mut dyn FnMut(&Sample),
     ) -> Result<Run, SceneError> {
-        scene::run_observed(plan, self, options, observe)
+        scene::run_monomorphic(plan, self, options, observe)
     }
 
-    /// The right-hand side of a plan, evaluated `times` times over: [`scene::rates`], compiled once for this model, here.
+    /// The right-hand side of a plan, evaluated `times` times over: [`scene::rates_monomorphic`], compiled once, here.
     ///
     /// # Errors
     /// As [`scene::rates`].
@@ -86,7 +86,7 @@ impl Lubrication {
         configuration: &Configuration,
         times: usize,
     ) -> Result<Rates, SceneError> {
-        scene::rates(plan, self, configuration, times)
+        scene::rates_monomorphic(plan, self, configuration, times)
     }
 }
 

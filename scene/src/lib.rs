@@ -40,7 +40,7 @@ pub use load_set::{Exchange, LoadSet};
 pub use loads::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
 pub use motion::{
     BoundState, Configuration, Counters, Outcome, Rates, Run, RunOptions, Sample, bound_states,
-    rates, rates_any, run, run_any, run_observed, run_plan,
+    rates, rates_monomorphic, run, run_monomorphic, run_observed, run_plan,
 };
 pub use plan::{NeededLoads, Parities, Plan, PlanRow, State, SymmetryClass};
 pub use scene::{Orientation, Pose, Scene};

@@ -7,7 +7,7 @@ use std::sync::Mutex;
 
 use bem::Bem;
 use compare::maps::{Pair, unsymmetric_starts};
-use compare::{Approach, Case, Method, Model, ModelOptions, SceneFile};
+use compare::{Approach, Case, CompareError, Method, Model, ModelOptions, SceneFile};
 use lt::{Form, Lubrication};
 use scene::{
     Exchange, Gap, GapRange, Gravity, Hydrodynamics, LoadSet, ModelDescription, Orientation,
@@ -147,7 +147,7 @@ fn tables_of_boundary_elements_solve_the_symmetry_classes_that_are_read() {
 }
 
 /// What a command tabulates for its scenes.
-fn tabulated(scenes: impl IntoIterator<Item = Result<Scene, SceneError>>) -> LoadSet {
+fn tabulated(scenes: impl IntoIterator<Item = Result<Scene, CompareError>>) -> LoadSet {
     let options = ModelOptions::default();
     options.for_scenes(scenes).unwrap().tabulated
 }

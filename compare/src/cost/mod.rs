@@ -90,7 +90,7 @@ fn run_any(
     model: &dyn Hydrodynamics,
     options: &RunOptions,
 ) -> Result<Run, SceneError> {
-    scene::run_any(&Plan::new(scene)?, model, options, &mut |_| {})
+    scene::run_observed(&Plan::new(scene)?, model, options, &mut |_| {})
 }
 
 /// Loads that the paper's cases read.

@@ -1,6 +1,6 @@
 //! Bound states of each model, and pairs that one model binds and the other does not.
 
-use scene::{BoundState, Hydrodynamics, Outcome, Repulsion, SceneError, Squirmer, bound_states};
+use scene::{BoundState, Outcome, Repulsion, SceneError, Squirmer, bound_states};
 use serde::Serialize;
 
 use super::trust::{TrustRow, same_map};
@@ -84,7 +84,7 @@ pub fn bound_rows(models: &[&Model], betas: &[f64]) -> Result<Vec<BoundRow>, Com
 }
 
 fn states(model: &Model, squirmer: &Squirmer) -> Result<Vec<BoundState>, SceneError> {
-    bound_states(model as &dyn Hydrodynamics, squirmer, Repulsion::PAPER)
+    bound_states(model, squirmer, Repulsion::PAPER)
 }
 
 columns! {

@@ -84,8 +84,8 @@ const BELOW_CUT: f64 = 0.999;
 ///
 /// # Errors
 /// [`SceneError`] if the model refuses so many modes.
-pub fn bound_states<H: Hydrodynamics + ?Sized>(
-    model: &H,
+pub fn bound_states(
+    model: &dyn Hydrodynamics,
     squirmer: &Squirmer,
     repulsion: Repulsion,
 ) -> Result<Vec<BoundState>, SceneError> {

@@ -24,6 +24,6 @@ pub(crate) use configuration::start;
 pub use configuration::{Configuration, Rates};
 pub use outcome::Outcome;
 pub(crate) use plane::Plane;
-pub use rates::{rates, rates_any};
+pub use rates::{rates, rates_monomorphic};
 pub use result::{Counters, Run, RunOptions, Sample};
-pub use run::{run, run_any, run_observed, run_plan};
+pub use run::{run, run_monomorphic, run_observed, run_plan};

@@ -17,7 +17,20 @@ use crate::{Gravity, Hydrodynamics, Plan, Repulsion, SceneError};
 ///
 /// # Errors
 /// [`SceneError`] if the model cannot give the loads at the configuration's gap.
-pub fn rates<H: Hydrodynamics + ?Sized>(
+pub fn rates(
+    plan: &Plan,
+    model: &dyn Hydrodynamics,
+    configuration: &Configuration,
+    times: usize,
+) -> Result<Rates, SceneError> {
+    rates_monomorphic(plan, model, configuration, times)
+}
+
+/// As [`rates`], with a loop that is compiled for this type of model, see [`run_monomorphic`](crate::run_monomorphic).
+///
+/// # Errors
+/// As [`rates`].
+pub fn rates_monomorphic<H: Hydrodynamics + ?Sized>(
     plan: &Plan,
     model: &H,
     configuration: &Configuration,
@@ -30,19 +43,6 @@ pub fn rates<H: Hydrodynamics + ?Sized>(
     };
     let rates = dispatch(plan, model, task)?;
     Ok((plan.plane()).map_or(rates, |plane| plane.rates_outside(&rates)))
-}
-
-/// As [`rates`], for a model chosen at run time; compiled once, here.
-///
-/// # Errors
-/// As [`rates`].
-pub fn rates_any(
-    plan: &Plan,
-    model: &dyn Hydrodynamics,
-    configuration: &Configuration,
-    times: usize,
-) -> Result<Rates, SceneError> {
-    rates(plan, model, configuration, times)
 }
 
 struct Evaluation<'a> {

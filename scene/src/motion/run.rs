@@ -35,9 +35,9 @@ const MAX_PHASES: usize = 100_000;
 /// # Errors
 /// [`SceneError`] if the spheres overlap at the start, the model cannot give the loads at a gap
 /// that the pair reaches, the stepper fails, or an option is not allowed.
-pub fn run<H: Hydrodynamics + ?Sized>(
+pub fn run(
     scene: &Scene,
-    model: &H,
+    model: &dyn Hydrodynamics,
     options: &RunOptions,
 ) -> Result<Run, SceneError> {
     run_plan(&Plan::new(scene)?, model, options)
@@ -47,9 +47,9 @@ pub fn run<H: Hydrodynamics + ?Sized>(
 ///
 /// # Errors
 /// As [`run`].
-pub fn run_plan<H: Hydrodynamics + ?Sized>(
+pub fn run_plan(
     plan: &Plan,
-    model: &H,
+    model: &dyn Hydrodynamics,
     options: &RunOptions,
 ) -> Result<Run, SceneError> {
     let mut samples = Vec::new();
@@ -57,25 +57,25 @@ pub fn run_plan<H: Hydrodynamics + ?Sized>(
     Ok(Run { samples, ..run })
 }
 
-/// As [`run_observed`], for a model chosen at run time. A loop for each model takes long to compile; this one is
-/// compiled once, here.
+/// Runs a plan and hands over its samples as they come; the result holds none.
 ///
 /// # Errors
 /// As [`run`].
-pub fn run_any(
+pub fn run_observed(
     plan: &Plan,
     model: &dyn Hydrodynamics,
     options: &RunOptions,
     observe: &mut dyn FnMut(&Sample),
 ) -> Result<Run, SceneError> {
-    run_observed(plan, model, options, observe)
+    run_monomorphic(plan, model, options, observe)
 }
 
-/// Runs a plan and hands over its samples as they come; the result holds none.
+/// As [`run_observed`], with a loop that is compiled for this type of model. It pays for closed forms alone, and takes long to
+/// compile: call it in one place.
 ///
 /// # Errors
 /// As [`run`].
-pub fn run_observed<H: Hydrodynamics + ?Sized>(
+pub fn run_monomorphic<H: Hydrodynamics + ?Sized>(
     plan: &Plan,
     model: &H,
     options: &RunOptions,
