@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-use crate::bottom_heavy::PanelCase;
+use crate::study::panels::PanelCase;
 use crate::{Approach, Case, CompareError};
 
 /// The values that are combined for one approach.

@@ -7,19 +7,17 @@
 //! ```
 
 pub mod account;
-pub mod bottom_heavy;
 mod case;
 pub mod columns;
 pub mod cost;
 mod defaults;
 pub mod effects;
-pub mod encounter;
-pub mod encounter_sweep;
 mod error;
 pub mod hard_cases;
-pub mod maps;
+mod loads_file;
 mod method;
 mod model;
+mod no_run;
 pub mod numbers;
 pub mod output;
 pub mod scene_file;
@@ -30,12 +28,17 @@ pub mod watch;
 
 pub use case::{Approach, Case};
 pub use defaults::{Defaults, EncounterDefaults, OffsetDefaults};
-pub use encounter::{Encounter, EncounterRow, NoRun, OffsetRow};
 pub use error::{CompareError, FailureKind};
+pub use loads_file::{LoadsFile, LoadsFileError};
 pub use method::Method;
 pub use model::{BEM_TABLE_TOLERANCE, EXACT_TABLE_TOLERANCE, Model, ModelOptions};
+pub use no_run::{FAILED, NoRun, SKIPPED};
 pub use numbers::{Numbers, parse_numbers};
 pub use output::{OutputFolder, csv_text};
 pub use scene_file::{Family, FamilyScene, Mistake, Mistakes, SceneFile};
-pub use study::{ComparisonRow, LoadErrorRow, LoadRow, MeshErrorRow};
-pub use study::{comparison, load_errors, load_rows, mesh_errors};
+pub use study::encounters::{Encounter, EncounterRow, encounters};
+pub use study::offset::{OffsetRow, offsets, with_offsets};
+pub use study::{
+    ComparisonRow, LoadErrorRow, LoadRow, MeshErrorRow, comparison, load_errors, load_rows,
+    mesh_errors,
+};

@@ -6,6 +6,8 @@ use std::sync::{Mutex, PoisonError};
 
 use bem::Bem;
 use scene::{Gap, Hydrodynamics};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::CompareError;
 
@@ -159,6 +161,15 @@ impl Method {
         }
     }
 
+    /// Largest gap at which the model has loads.
+    #[must_use]
+    pub fn largest_gap(self) -> f64 {
+        match self {
+            Self::Other(other) => other.hydrodynamics().range().largest,
+            _ => f64::INFINITY,
+        }
+    }
+
     /// Name of the model in pictures.
     #[must_use]
     pub fn title(self) -> &'static str {
@@ -168,6 +179,19 @@ impl Method {
             Self::Exact => "Exact hydrodynamics",
             Self::Bem => "Boundary elements",
             Self::Isolated => "No hydrodynamic interaction",
+            Self::Other(OtherModel(other)) => other.name,
+        }
+    }
+
+    /// Name of the model within a sentence.
+    #[must_use]
+    pub fn in_sentence(self) -> &'static str {
+        match self {
+            Self::Lt => "lubrication theory",
+            Self::LtCorrected => "corrected lubrication theory",
+            Self::Exact => "exact hydrodynamics",
+            Self::Bem => "boundary elements",
+            Self::Isolated => "no interaction",
             Self::Other(OtherModel(other)) => other.name,
         }
     }
@@ -192,5 +216,20 @@ const MOST_LETTERS: usize = 40;
 impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(self.name())
+    }
+}
+
+/// As its name.
+impl Serialize for Method {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.serialize_str(self.name())
+    }
+}
+
+/// From its name.
+impl<'de> Deserialize<'de> for Method {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(from)?;
+        Self::named(&name).ok_or_else(|| D::Error::custom(format!("'{name}' is not a method")))
     }
 }

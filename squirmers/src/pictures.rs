@@ -2,11 +2,11 @@
 
 use crate::error::CommandError;
 use crate::figures::{self, FigureError};
-use compare::bottom_heavy::PanelRun;
-use compare::encounter_sweep::Drawn;
-use compare::maps::{FateRow, Pair, ScatterRow, TrustRow, TrustShares};
 use compare::numbers::written;
-use compare::{Approach, Encounter, OffsetRow};
+use compare::study::encounters::Drawn;
+use compare::study::maps::{FateRow, Pair, ScatterRow, TrustRow, TrustShares};
+use compare::study::panels::PanelRun;
+use compare::{Approach, Encounter, Method, OffsetRow};
 
 /// A picture and the name of its file.
 pub(crate) struct Picture {
@@ -73,10 +73,7 @@ pub(crate) fn of_scatter(rows: &[ScatterRow]) -> Result<Vec<Picture>, CommandErr
     let drawn = rows.chunk_by(same).map(|map| {
         let svg = figures::scatter(map);
         let ScatterRow {
-            ref method,
-            beta,
-            g,
-            ..
+            method, beta, g, ..
         } = map[0];
         picture(map_name("scatter", method, Pair { beta, g, dz: 0.0 }), svg)
     });
@@ -91,10 +88,10 @@ pub(crate) fn of_fates(rows: &[FateRow]) -> Result<Vec<Picture>, CommandError> {
 
 /// One map for each method and pair.
 pub(crate) fn of_trust(rows: &[TrustRow]) -> Result<Vec<Picture>, CommandError> {
-    let drawn = rows.chunk_by(compare::maps::same_map).map(|map| {
+    let drawn = rows.chunk_by(compare::study::maps::same_map).map(|map| {
         let svg = figures::trust(map);
         let TrustRow {
-            ref method,
+            method,
             beta,
             g,
             dz,
@@ -125,7 +122,7 @@ pub(crate) fn of_trust_against_offset(
 }
 
 /// File name of a map. Its numbers are short, and different numbers give different names.
-fn map_name(name: &str, method: &str, Pair { beta, g, dz }: Pair) -> String {
+fn map_name(name: &str, method: Method, Pair { beta, g, dz }: Pair) -> String {
     let beta = written(beta);
     let (gravity, offset) = (suffix("g", g), suffix("dz", dz));
     format!("{name}-{method}-beta{beta}{gravity}{offset}.svg")
@@ -164,7 +161,7 @@ mod tests {
         for beta in values {
             for g in values {
                 let pair = Pair { beta, g, dz: beta };
-                let name = map_name("scatter", "lt-corrected", pair);
+                let name = map_name("scatter", Method::LtCorrected, pair);
                 // Three numbers of 24 characters at most, and the words.
                 assert!(name.len() <= 106, "{name}");
                 assert!(!names.contains(&name), "{name}");
@@ -176,14 +173,17 @@ mod tests {
             g: 0.0,
             dz: 0.0,
         };
-        assert_eq!(map_name("trust", "lt", tiny), "trust-lt-beta1e-300.svg");
+        assert_eq!(
+            map_name("trust", Method::Lt, tiny),
+            "trust-lt-beta1e-300.svg"
+        );
         let usual = Pair {
             beta: -2.5,
             g: 30.0,
             dz: 0.0,
         };
         assert_eq!(
-            map_name("scatter", "lt", usual),
+            map_name("scatter", Method::Lt, usual),
             "scatter-lt-beta-2.5-g30.svg"
         );
     }

@@ -6,7 +6,7 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use compare::maps::Pair;
+use compare::study::maps::Pair;
 use compare::{Method, Model, ModelOptions};
 use lt::{Form, Lubrication};
 use nalgebra::Vector3;

@@ -2,8 +2,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
-use compare::bottom_heavy::{PanelRun, panel_runs};
-use compare::maps::{FateRow, Grid, Maps, Pair, ScatterRow, scatter_row};
+use compare::study::maps::{FateRow, Grid, Maps, Pair, ScatterRow, scatter_row};
+use compare::study::panels::{PanelRun, panel_runs};
 use compare::sweep::SweepOptions;
 use compare::{Defaults, Method, Model, ModelOptions, OutputFolder};
 use scene::RunOptions;

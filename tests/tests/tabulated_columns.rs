@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use std::sync::Mutex;
 
 use bem::Bem;
-use compare::maps::{Pair, unsymmetric_starts};
+use compare::study::maps::{Pair, unsymmetric_starts};
 use compare::{Approach, Case, CompareError, Method, Model, ModelOptions, SceneFile};
 use lt::{Form, Lubrication};
 use scene::{

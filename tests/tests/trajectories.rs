@@ -6,11 +6,12 @@
 
 use std::sync::OnceLock;
 
-use compare::sweep::{SweepOptions, encounters, offsets};
+use compare::sweep::SweepOptions;
 use compare::{
     Approach, Case, Defaults, EXACT_TABLE_TOLERANCE, Encounter, Method, Model, ModelOptions,
     OffsetRow,
 };
+use compare::{encounters, offsets};
 use scene::{Gap, Hydrodynamics, LoadSet, Outcome, RunOptions};
 use tests::CloseCsv;
 

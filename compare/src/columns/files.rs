@@ -3,11 +3,11 @@
 use std::fmt::Write as _;
 
 use super::{Column, Columns, UNITS};
-use crate::bottom_heavy::TrajectoryRow;
 use crate::cost::{CostRow, Finding, Recommendation};
 use crate::hard_cases::HardCaseRow;
-use crate::maps::{BoundExample, BoundRow, FateRow, ScatterRow, TrustRow, TrustShares};
 use crate::scene_run::SampleRow;
+use crate::study::maps::{BoundExample, BoundRow, FateRow, ScatterRow, TrustRow, TrustShares};
+use crate::study::panels::TrajectoryRow;
 use crate::study::{ComparisonRow, LoadErrorRow, LoadRow, MeshErrorRow};
 use crate::sweep::SweepTail;
 use crate::{EncounterRow, Method, OffsetRow};

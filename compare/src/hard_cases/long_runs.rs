@@ -9,7 +9,7 @@ use scene::{
 
 use super::rows::larger;
 use super::{Bench, Rows, SIZE, stepping_error, until};
-use crate::maps::Pair;
+use crate::study::maps::Pair;
 use crate::{CompareError, Defaults, Method, Model};
 
 pub(super) const TIME: f64 = 10_000.0;

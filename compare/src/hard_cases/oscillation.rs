@@ -17,7 +17,7 @@ use scene::{
 use super::long_runs::{TIME, TOLERANCE, UNIT_DRIFT, unit_drift};
 use super::rows::larger;
 use super::{Bench, Rows, until};
-use crate::maps::Pair;
+use crate::study::maps::Pair;
 use crate::{CompareError, Method, Model};
 
 /// Time after which a pair is on its limit cycle, and for how long the cycle is then recorded.

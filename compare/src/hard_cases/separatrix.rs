@@ -5,7 +5,7 @@ use scene::{Outcome, Run};
 use super::rows::larger;
 use super::standoff::slope;
 use super::{Bench, Rows, SIZE, until};
-use crate::maps::Pair;
+use crate::study::maps::Pair;
 use crate::{Approach, Case, CompareError, Method, Model};
 
 /// The tolerance of the runs that the others are compared with.

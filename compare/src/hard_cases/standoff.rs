@@ -9,7 +9,7 @@ use scene::{
 };
 
 use super::{Bench, Rows, until};
-use crate::maps::Pair;
+use crate::study::maps::Pair;
 use crate::{CompareError, Model};
 
 /// Squirmer parameter of the pairs whose standoff is disturbed.

@@ -50,7 +50,7 @@ mod tests {
 
     use super::super::SAMPLE_INTERVAL;
     use super::*;
-    use crate::maps::{Grid, Pair};
+    use crate::study::maps::{Grid, Pair};
     use crate::{Approach, Case, Defaults};
 
     /// The numbers of a scene, so that zeros of either sign differ too.

@@ -14,7 +14,7 @@ columns! {
     pub struct LoadErrorRow {
         /// Name of the method.
         #[unit = "-"]
-        pub method: &'static str,
+        pub method: Method,
         /// Gap between the surfaces of the squirmers.
         #[unit = "a"]
         pub gap: f64,
@@ -63,7 +63,7 @@ pub fn load_errors(
             let found = model.loads(gap, set)?.named();
             let truth = exact.loads(gap, set)?.named();
             let row = |((name, value), (_, exact)): ((String, f64), (String, f64))| LoadErrorRow {
-                method: model.method().name(),
+                method: model.method(),
                 gap: eps,
                 name,
                 value,

@@ -19,7 +19,7 @@ columns! {
     pub struct LoadRow {
         /// Name of the method.
         #[unit = "-"]
-        pub method: &'static str,
+        pub method: Method,
         /// Gap between the surfaces of the squirmers.
         #[unit = "a"]
         pub gap: f64,
@@ -63,7 +63,7 @@ pub fn load_rows(
         let progress = Progress::begin("gaps", gaps.len(), Pieces::Alike);
         for &gap in gaps {
             rows.extend(at(gap)?.into_iter().map(|(name, value, error)| LoadRow {
-                method: method.name(),
+                method,
                 gap: gap.eps(),
                 name,
                 value,

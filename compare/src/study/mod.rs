@@ -1,9 +1,13 @@
 //! Studies: questions about the models. Each file answers one question with rows.
 
 mod comparison;
+pub mod encounters;
 mod load_errors;
 mod loads;
+pub mod maps;
 mod mesh_errors;
+pub mod offset;
+pub mod panels;
 
 pub use comparison::{ComparisonRow, comparison};
 pub use load_errors::{LoadErrorRow, load_errors};

@@ -9,7 +9,7 @@ use super::manifest::{SweepIdentity, measured};
 use super::merge::ROWS;
 use super::{Arithmetic, Computed, Done, Manifest, ManifestModel, Points, Row, Share, Sweep};
 use crate::columns::{self, Columns as _, columns};
-use crate::encounter::RunNumbers;
+use crate::no_run::RunNumbers;
 use crate::output::{OutputFolder, csv_lines};
 use crate::{CompareError, Family, Method, Model, NoRun};
 
@@ -37,7 +37,7 @@ columns! {
     pub(crate) struct Tail {
         /// Name of the method.
         #[unit = "-"]
-        method: String,
+        method: Method,
         /// Deflection of squirmer 1: outgoing minus incoming angle in the x-y plane.
         #[unit = "deg"]
         deflection1_deg: f64,
@@ -63,7 +63,7 @@ impl Tail {
     fn of(method: Method, run: &Result<Run, NoRun>) -> Self {
         let run = RunNumbers::of(run);
         Self {
-            method: method.name().to_owned(),
+            method,
             deflection1_deg: run.deflections_deg[0],
             deflection2_deg: run.deflections_deg[1],
             min_gap: run.min_gap,

@@ -1,6 +1,5 @@
 //! Sweeps: many runs in a fixed order, computed in parallel, kept on disk as they finish, shared among machines.
 
-mod encounters;
 mod family_sweep;
 mod journal;
 mod manifest;
@@ -13,8 +12,6 @@ use std::time::Duration;
 
 use scene::RunOptions;
 
-pub(crate) use encounters::{encounter, offset_row, skipped};
-pub use encounters::{encounters, offsets, with_offsets};
 pub(crate) use family_sweep::Tail as SweepTail;
 pub use family_sweep::{FamilySweep, SweepRow};
 pub use manifest::{Arithmetic, Axis, Manifest, ManifestModel, SweepIdentity};

@@ -11,7 +11,7 @@ use serde::de::DeserializeOwned;
 use scene::{Hydrodynamics as _, RunOptions};
 
 use super::journal::Journal;
-use crate::encounter::{FAILED, SKIPPED};
+use crate::no_run::{FAILED, SKIPPED};
 use crate::output::{OutputFolder, rows_of};
 use crate::watch::notice;
 use crate::{CompareError, Model};

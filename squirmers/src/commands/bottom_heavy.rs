@@ -9,8 +9,8 @@ use crate::error::CommandError;
 use crate::pictures;
 use crate::terminal::print_rows;
 use compare::Defaults;
-use compare::bottom_heavy::{PanelCase, PanelRun, Panels};
 use compare::numbers::{rounded, written};
+use compare::study::panels::{PanelCase, PanelRun, Panels};
 
 /// The argument `--time-limit` of this command. The command keeps no finished runs, because its picture needs whole
 /// runs.
@@ -27,7 +27,7 @@ pub(super) fn run(
     general: &GeneralArguments,
 ) -> Result<(), CommandError> {
     let (methods, options) = model_options(models, &METHODS, general)?;
-    let sweep = sweep_options(runs)?;
+    let sweep = sweep_options(runs, &methods)?;
     let panels = Defaults::paper()?.bottom_heavy;
     let out = general.output()?;
     let options = options.for_scenes(panels.iter().map(PanelCase::scene))?;
@@ -61,7 +61,7 @@ fn print(runs: &[PanelRun]) {
             let row = run.summary();
             vec![
                 row.panel,
-                row.method.to_owned(),
+                row.method.to_string(),
                 written(row.beta),
                 written(row.g),
                 written(row.delta),

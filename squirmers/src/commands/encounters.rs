@@ -1,8 +1,8 @@
 //! `squirmers head-on`, `orthogonal` and `offset`: the paper's encounters, with and without an offset out of the plane.
 
-use compare::encounter_sweep::{Drawn, EncounterSweep};
 use compare::numbers::{Numbers, rounded, written};
-use compare::{Approach, Case, Defaults, EncounterRow, Method, sweep};
+use compare::study::encounters::{Drawn, EncounterSweep};
+use compare::{Approach, Case, Defaults, EncounterRow, Method};
 
 use super::many::{PRINTED, checked_count, drop_undrawn, keep_first, print_rest, say_undrawn};
 use super::shared::{model_options, set_up, sweep_options};
@@ -17,7 +17,7 @@ pub(super) fn encounters(
     general: &GeneralArguments,
 ) -> Result<(), CommandError> {
     let (methods, options) = model_options(&arguments.models, &Method::DEFAULT, general)?;
-    let sweep = sweep_options(&arguments.runs)?;
+    let sweep = sweep_options(&arguments.runs, &methods)?;
     let defaults = Defaults::paper()?;
     let defaults = defaults.encounters(approach);
     let list = |given: &Option<Numbers>, default: &[f64]| {
@@ -92,11 +92,11 @@ pub(super) fn offset(
     general: &GeneralArguments,
 ) -> Result<(), CommandError> {
     let (methods, options) = model_options(models, &Method::DEFAULT, general)?;
-    let sweep = sweep_options(runs)?;
+    let sweep = sweep_options(runs, &methods)?;
     let defaults = Defaults::paper()?.offset;
     let dz = dz.map_or(defaults.dz.clone(), |dz| dz.0.clone());
     let out = general.output()?;
-    let all = sweep::with_offsets(&defaults.cases(), &dz);
+    let all = compare::with_offsets(&defaults.cases(), &dz);
     let options = options.for_scenes(all.iter().map(Case::scene))?;
     let models = set_up(&methods, &options)?;
     let runs = models.len() * all.len();
@@ -135,7 +135,7 @@ pub(super) fn offset(
         rows.iter().take(PRINTED).map(|row| {
             vec![
                 row.case.clone(),
-                row.method.to_owned(),
+                row.method.to_string(),
                 written(row.beta),
                 written(row.dx),
                 written(row.dz),
@@ -169,7 +169,7 @@ fn print_encounters(rows: &[EncounterRow]) {
         &header,
         rows.iter().map(|row| {
             vec![
-                row.method.to_owned(),
+                row.method.to_string(),
                 written(row.beta),
                 written(row.dx),
                 written(row.dz),

@@ -29,7 +29,7 @@ pub(super) fn run(
         &["method", "gap", "load", "value", "error estimate"],
         rows.iter().take(PRINTED).map(|row| {
             vec![
-                row.method.to_owned(),
+                row.method.to_string(),
                 written(row.gap),
                 row.name.clone(),
                 rounded(row.value, 9),

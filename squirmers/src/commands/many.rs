@@ -3,8 +3,8 @@
 use crate::error::CommandError;
 use crate::streams::say;
 use compare::Approach;
-use compare::encounter_sweep::{Drawn, MOST_RUNS};
 use compare::output::OutputFolder;
+use compare::study::encounters::{Drawn, MOST_RUNS};
 
 /// The number of combinations, if a sweep can have so many.
 pub(super) fn checked_count(beta: &[f64], dx: &[f64], dz: &[f64]) -> Result<usize, CommandError> {

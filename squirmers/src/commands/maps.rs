@@ -8,9 +8,9 @@ use crate::error::CommandError;
 use crate::pictures::{self, Picture};
 use crate::streams::say;
 use crate::terminal::print_rows;
-use compare::maps::{self, BoundExample, FateRow, Grid, Maps, Pair, TrustShares};
 use compare::numbers::{Numbers, parse_numbers, parse_whole, rounded, written};
 use compare::output::{OutputFolder, csv_text};
+use compare::study::maps::{self, BoundExample, FateRow, Grid, Maps, Pair, TrustShares};
 use compare::sweep::SweepOptions;
 use compare::{Method, Model};
 
@@ -101,7 +101,7 @@ fn checked(
     general: &GeneralArguments,
 ) -> Result<Checked, CommandError> {
     let (methods, options) = model_options(&arguments.models, &METHODS, general)?;
-    let sweep = sweep_options(&arguments.runs)?;
+    let sweep = sweep_options(&arguments.runs, &methods)?;
     let grid = Grid::new(arguments.grid)?;
     let list = |given: &Option<Numbers>, default: &[f64]| {
         (given.as_ref()).map_or(default.to_vec(), |list| list.0.clone())
@@ -215,7 +215,7 @@ fn print_examples(examples: &[BoundExample]) {
     ];
     let line = |row: &BoundExample| {
         vec![
-            row.method.clone(),
+            row.method.to_string(),
             written(row.beta),
             row.outcome_lt.clone(),
             row.outcome_exact.clone(),
@@ -248,7 +248,7 @@ fn print_fates(rows: &[FateRow]) {
     let header = ["%", "beta", "g"].into_iter();
     let header: Vec<_> = header.chain(occur.iter().map(|(name, _)| *name)).collect();
     let line = |row: &FateRow| {
-        let place = [row.method.clone(), written(row.beta), written(row.g)];
+        let place = [row.method.to_string(), written(row.beta), written(row.g)];
         let shares = occur.iter().map(|(_, share)| percent(share(row)));
         place.into_iter().chain(shares).collect()
     };
@@ -260,7 +260,7 @@ fn print_trust(shares: &[TrustShares]) {
     header.extend(maps::TRUST_CLASSES);
     let line = |row: &TrustShares| {
         let numbers = [row.beta, row.g, row.dz].map(written);
-        let mut line = vec![row.method.clone()];
+        let mut line = vec![row.method.to_string()];
         line.extend(numbers);
         line.extend(row.in_order().map(percent));
         line

@@ -161,7 +161,7 @@ pub(crate) fn run(
         Command::Merge(given) => sweep::merge(given, general),
         Command::Report { models, runs } => {
             let (methods, options) = model_options(models, &Method::DEFAULT, general)?;
-            let sweep = sweep_options(runs)?;
+            let sweep = sweep_options(runs, &methods)?;
             let out = general.output()?;
             let path = report::write(&methods, &options, &sweep, &out, typed)?;
             say!("{}", path.display());

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use ::scene::{MAX_MODES, RunOptions};
+use compare::numbers::written;
 use compare::scene_file::SAMPLE_INTERVAL;
 use compare::sweep::SweepOptions;
 use compare::{Method, Model, ModelOptions};
@@ -50,11 +51,22 @@ pub(super) fn checked_tolerance(tolerance: f64) -> Result<f64, CommandError> {
     Ok(tolerance)
 }
 
-/// The distance at which angles are read, and the time limit, if they are allowed.
+/// The distance at which angles are read, and the time limit, if they are allowed. All methods must have loads there.
 pub(super) fn checked_limits(
     limits: &LimitArguments,
+    methods: &[Method],
 ) -> Result<(f64, Option<Duration>), CommandError> {
     let angles_at = limits.departure;
+    for method in methods {
+        let farthest = 2.0 + method.largest_gap();
+        if angles_at > farthest {
+            let allowed = format!(
+                "{method} has no loads at larger gaps: give a distance of the centres up to {}",
+                written(farthest)
+            );
+            return Err(CommandError::input("--departure", angles_at, allowed));
+        }
+    }
     if angles_at.is_nan() || angles_at <= 2.0 {
         let allowed = "give a distance of the centres greater than 2 (radii), or inf";
         let value = format!("{angles_at:?}");
@@ -68,9 +80,12 @@ pub(super) fn checked_limits(
     Ok((angles_at, limit.transpose()?))
 }
 
-pub(super) fn sweep_options(runs: &RunArguments) -> Result<SweepOptions, CommandError> {
+pub(super) fn sweep_options(
+    runs: &RunArguments,
+    methods: &[Method],
+) -> Result<SweepOptions, CommandError> {
     let tolerance = checked_tolerance(runs.tol)?;
-    let (angles_at, time_limit) = checked_limits(&runs.limits)?;
+    let (angles_at, time_limit) = checked_limits(&runs.limits, methods)?;
     Ok(SweepOptions {
         run: RunOptions {
             tolerance,

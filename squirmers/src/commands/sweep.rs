@@ -76,7 +76,7 @@ pub(super) fn run(
     general: &GeneralArguments,
 ) -> Result<(), CommandError> {
     let (mut methods, mut options) = model_options(&arguments.models, &METHODS, general)?;
-    let (angles_at, time_limit) = checked_limits(&arguments.limits)?;
+    let (angles_at, time_limit) = checked_limits(&arguments.limits, &methods)?;
     let tolerance = arguments.tol.map(checked_tolerance).transpose()?;
     let family = family(&arguments.family)?;
     if let (None, Some(own)) = (&arguments.models.method, family.hydrodynamics()) {

@@ -4,10 +4,10 @@ use scene::{Orientation, Pose, Run, RunOptions, Scene, Squirmer};
 
 use super::tests::encounter;
 use super::*;
-use compare::bottom_heavy::{PanelCase, PanelRun};
 use compare::cost::{CostRow, Part};
-use compare::maps::{FateRow, TrustShares};
 use compare::scene_run::SampleRow;
+use compare::study::maps::{FateRow, TrustShares};
+use compare::study::panels::{PanelCase, PanelRun};
 use compare::{Encounter, LoadErrorRow, NoRun, OffsetRow};
 
 /// Number of panels that show "no data".
@@ -96,7 +96,7 @@ fn a_panel_of_paths_without_a_run_says_so() {
 fn change(dz: f64, degrees: f64) -> OffsetRow {
     OffsetRow {
         case: "head-on".to_owned(),
-        method: "lt",
+        method: Method::Lt,
         beta: 5.0,
         dx: 1.0,
         dz,
@@ -126,7 +126,7 @@ fn offsets_without_a_change_that_is_known_say_so() {
 #[test]
 fn shares_that_are_no_numbers_leave_a_panel_that_says_so() {
     let row = |g: f64, share: f64| FateRow {
-        method: "lt".to_owned(),
+        method: Method::Lt,
         beta: 1.0,
         g,
         scattered: share,
@@ -154,7 +154,7 @@ fn shares_that_are_no_numbers_leave_a_panel_that_says_so() {
 #[test]
 fn shares_of_trust_that_are_no_numbers_leave_a_panel_that_says_so() {
     let row = |beta: f64, dz: f64, share: f64| TrustShares {
-        method: "lt".to_owned(),
+        method: Method::Lt,
         beta,
         g: 0.0,
         dz,
@@ -174,7 +174,7 @@ fn shares_of_trust_that_are_no_numbers_leave_a_panel_that_says_so() {
 
 fn load_error(gap: f64, error: f64) -> LoadErrorRow {
     LoadErrorRow {
-        method: "lt",
+        method: Method::Lt,
         gap,
         name: "X11A".to_owned(),
         value: 1.0,

@@ -5,7 +5,7 @@ use super::canvas::{Axes, Axis, Entry, Key, Layout};
 use super::range::{extremes, padded};
 use super::style::{Dash, Shape, Stroke, colour};
 use super::{FigureError, distinct, methods, number, same};
-use compare::maps::{FateRow, Share};
+use compare::study::maps::{FateRow, Share};
 
 /// A line: its name and the points.
 type Line<'a> = (String, Vec<&'a FateRow>, Share);
@@ -21,7 +21,7 @@ pub fn fates(rows: &[FateRow]) -> Result<String, FigureError> {
     let gravity = distinct(rows.iter().map(|row| row.g)).len() > 1;
     let abscissa: fn(&FateRow) -> f64 = if gravity { |r| r.g } else { |r| r.beta };
     let shown = shown(rows);
-    let methods = methods(rows.iter().filter_map(FateRow::method));
+    let methods = methods(rows.iter().map(|row| row.method));
     let x = padded(rows.iter().map(abscissa), 0.04, 0.0);
     let orbits = extremes(rows.iter().map(|row| 100.0 * FateRow::orbits(row)));
     // Orbits are usually rare, so their axis is shorter.
@@ -44,8 +44,7 @@ pub fn fates(rows: &[FateRow]) -> Result<String, FigureError> {
     };
     let mut canvas = layout.canvas(title, &legend);
     for (column, &method) in methods.iter().enumerate() {
-        let mine: Vec<FateRow> =
-            (rows.iter().filter(|r| r.method() == Some(method)).cloned()).collect();
+        let mine: Vec<FateRow> = (rows.iter().filter(|r| r.method == method).cloned()).collect();
         let axes = Axes {
             title: method.title().to_owned(),
             x: Axis::new(&x, x_title, 9),

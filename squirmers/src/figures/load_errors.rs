@@ -26,7 +26,7 @@ pub fn load_errors(rows: &[LoadErrorRow]) -> Result<String, FigureError> {
     if names.is_empty() {
         return Err(FigureError::Empty { what: "no loads" });
     }
-    let methods = methods(rows.iter().filter_map(|row| Method::named(row.method)));
+    let methods = methods(rows.iter().map(|row| row.method));
     let gaps = || rows.iter().map(|row| row.gap.log10());
     let x = match extremes(gaps()) {
         // The axis has at least two powers of ten, so that it has a scale.
@@ -49,8 +49,7 @@ pub fn load_errors(rows: &[LoadErrorRow]) -> Result<String, FigureError> {
         };
         canvas.panel(layout.corner(column, line), layout.plot, axes, |panel| {
             for &method in &methods {
-                let mine =
-                    (rows.iter()).filter(|row| row.method == method.name() && row.name == name);
+                let mine = (rows.iter()).filter(|row| row.method == method && row.name == name);
                 let points: Vec<_> = mine.map(place).collect();
                 panel.path(&points, stroke(method));
             }

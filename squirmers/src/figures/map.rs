@@ -7,7 +7,7 @@ use super::canvas::{Axes, Axis, Canvas, Entry, Key, Layout, Map, MapCell, whole_
 use super::heat;
 use super::style::{Colour, Fill, Hatch};
 use super::{FigureError, number};
-use compare::maps::ScatterRow;
+use compare::study::maps::ScatterRow;
 
 /// Approximate side of a map, in nominal pixels.
 const SIDE: f64 = 270.0;
@@ -113,7 +113,7 @@ fn legend(rows: &[ScatterRow]) -> Vec<Vec<Entry>> {
 /// [`FigureError`] if there are no rows, or if they are not a square grid.
 pub fn scatter(rows: &[ScatterRow]) -> Result<String, FigureError> {
     let first = (rows.first()).ok_or(FigureError::Empty { what: "no map" })?;
-    let method = first.method().map_or(first.method.as_str(), |m| m.title());
+    let method = first.method.title();
     let mut title = format!("{method}, β = {}", number(first.beta));
     if first.g != 0.0 {
         title += &format!(", G = {}", number(first.g));
@@ -200,7 +200,7 @@ mod tests {
 
     fn row(outcome: &str, deflection: f64) -> ScatterRow {
         ScatterRow {
-            method: "lt".to_owned(),
+            method: compare::Method::Lt,
             beta: 5.0,
             g: 0.0,
             delta: 0.5,

@@ -6,7 +6,7 @@ use super::deflection::NOISE;
 use super::range::padded;
 use super::style::{Dash, INK, Shape, Stroke, colour};
 use super::{FigureError, methods, number, same};
-use compare::{Approach, Method, OffsetRow};
+use compare::{Approach, OffsetRow};
 
 /// Largest difference in degrees of the changes of the two squirmers that are drawn as one.
 const SAME_CHANGE: f64 = 0.05;
@@ -41,7 +41,7 @@ pub fn offset(rows: &[OffsetRow]) -> Result<String, FigureError> {
     if rows.is_empty() {
         return Err(FigureError::Empty { what: "no offset" });
     }
-    let methods = methods(rows.iter().filter_map(|row| Method::named(row.method)));
+    let methods = methods(rows.iter().map(|row| row.method));
     let mut lines: Vec<Line<'_>> = Vec::new();
     for row in rows {
         if !lines.iter().any(|line| line.holds(row)) {
@@ -90,7 +90,7 @@ pub fn offset(rows: &[OffsetRow]) -> Result<String, FigureError> {
         canvas.panel(layout.corner(column, 0), layout.plot, axes, |panel| {
             for (i, line) in lines.iter().enumerate() {
                 let mut mine: Vec<&OffsetRow> = (rows.iter())
-                    .filter(|r| r.method == method.name() && line.holds(r))
+                    .filter(|r| r.method == method && line.holds(r))
                     .collect();
                 mine.sort_by(|a, b| a.dz.total_cmp(&b.dz));
                 let first: Vec<_> = mine.iter().map(|r| (r.dz, r.change1_deg)).collect();

@@ -7,7 +7,7 @@ use super::canvas::{Anchor, Axes, Axis, Entry, Key, Layout, Panel, TEXT};
 use super::range::{extremes, sound, widened};
 use super::style::{Colour, Dash, Stroke, colour};
 use super::{FigureError, methods, number};
-use compare::bottom_heavy::PanelRun;
+use compare::study::panels::PanelRun;
 
 /// Time between the orientations that are drawn, in `a/V_s`.
 pub const ARROW_INTERVAL: f64 = 4.0;

@@ -94,7 +94,7 @@ fn symmetric_deflections_share_one_panel() {
 
 #[test]
 fn offsets_have_a_panel_for_each_method_and_gaps_for_nan() {
-    let row = |method: &'static str, dz: f64, change: f64| OffsetRow {
+    let row = |method: Method, dz: f64, change: f64| OffsetRow {
         case: "head-on".to_owned(),
         method,
         beta: 5.0,
@@ -107,10 +107,10 @@ fn offsets_have_a_panel_for_each_method_and_gaps_for_nan() {
         outcome_in_plane: "scattered".to_owned(),
     };
     let rows = [
-        row("lt", 0.0, 0.0),
-        row("lt", 0.1, 1.0),
-        row("bem", 0.0, 0.0),
-        row("bem", 0.1, f64::NAN),
+        row(Method::Lt, 0.0, 0.0),
+        row(Method::Lt, 0.1, 1.0),
+        row(Method::Bem, 0.0, 0.0),
+        row(Method::Bem, 0.1, f64::NAN),
     ];
     let svg = offset(&rows).expect("a picture");
     assert_eq!(count(&svg, "change of angle (degrees)"), 2);
@@ -142,8 +142,8 @@ fn failed_runs_are_left_out() {
 
 #[test]
 fn shares_of_pairs_that_all_swim_upward_are_drawn() {
-    let row = |upward: f64| compare::maps::FateRow {
-        method: "lt".to_owned(),
+    let row = |upward: f64| compare::study::maps::FateRow {
+        method: Method::Lt,
         beta: 1.0,
         g: 10.0,
         scattered: 1.0 - upward,

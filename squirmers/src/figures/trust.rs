@@ -6,8 +6,7 @@ use super::canvas::{Axes, Axis, Entry, Key, LEFT, Layout, MapCell, RIGHT, whole_
 use super::map::{draw, outcome_fill};
 use super::style::{Colour, Fill, Hatch};
 use super::{FigureError, distinct, number, same};
-use compare::Method;
-use compare::maps::{TRUST_CLASSES, TrustRow, TrustShares};
+use compare::study::maps::{TRUST_CLASSES, TrustRow, TrustShares};
 
 /// Approximate side of the map, in nominal pixels.
 const SIDE: f64 = 420.0;
@@ -40,7 +39,7 @@ fn entry(row: &TrustRow) -> (Fill, &'static str) {
 /// [`FigureError`] if there are no rows, or if they are not a square grid.
 pub fn trust(rows: &[TrustRow]) -> Result<String, FigureError> {
     let first = (rows.first()).ok_or(FigureError::Empty { what: "no map" })?;
-    let method = title_of(&first.method);
+    let method = first.method.title();
     let mut title = format!("{method} against exact, β = {}", number(first.beta));
     if first.g != 0.0 {
         title += &format!(", G = {}", number(first.g));
@@ -102,7 +101,7 @@ pub fn trust_against_offset(rows: &[TrustShares]) -> Result<String, FigureError>
     let legend = legend(occurring.map(|(_, entry)| entry));
     let title = format!(
         "Trust in {} against the offset out of the plane",
-        title_of(&rows[0].method).to_lowercase()
+        rows[0].method.title().to_lowercase()
     );
     let mut canvas = layout.canvas(&title, &legend);
     for (column, &beta) in betas.iter().enumerate() {
@@ -123,10 +122,6 @@ pub fn trust_against_offset(rows: &[TrustShares]) -> Result<String, FigureError>
         });
     }
     Ok(canvas.finish())
-}
-
-fn title_of(method: &str) -> String {
-    Method::named(method).map_or(method.to_owned(), |m| m.title().to_owned())
 }
 
 fn legend(classes: impl IntoIterator<Item = (Fill, &'static str)>) -> Vec<Vec<Entry>> {
@@ -161,7 +156,7 @@ mod tests {
             outcome_exact: exact,
             difference1_deg: difference,
             difference2_deg: difference,
-            method: "lt".to_owned(),
+            method: compare::Method::Lt,
             g: 0.0,
             dz: 0.0,
         }

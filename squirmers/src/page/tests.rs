@@ -2,13 +2,13 @@
 
 use super::table::displayed;
 use super::{Figure, MethodCost, Page, Provenance, Section, Table, render};
-use compare::OffsetRow;
+use compare::{Method, OffsetRow};
 
 fn rows() -> Vec<OffsetRow> {
     [0.0, 0.1]
         .map(|dz| OffsetRow {
             case: "head-on".to_owned(),
-            method: "lt",
+            method: Method::Lt,
             beta: 5.0,
             dx: 1.0,
             dz,

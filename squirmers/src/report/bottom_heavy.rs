@@ -3,9 +3,9 @@
 use crate::error::CommandError;
 use crate::page::{Figure, Section, Table};
 use crate::{figures, pictures};
-use compare::bottom_heavy::{PanelRun, Panels};
-use compare::maps::{Grid, Maps, Pair};
 use compare::output::{OutputFolder, csv_text};
+use compare::study::maps::{Grid, Maps, Pair};
+use compare::study::panels::{PanelRun, Panels};
 use compare::sweep::SweepOptions;
 use compare::{Defaults, Model};
 

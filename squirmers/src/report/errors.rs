@@ -9,7 +9,7 @@ use crate::error::CommandError;
 use crate::figures;
 use crate::page::{Figure, Section, Table};
 use compare::output::{OutputFolder, csv_text};
-use compare::sweep::{self, SweepOptions};
+use compare::sweep::SweepOptions;
 use compare::{Encounter, LoadErrorRow, Method, Model, ModelOptions, comparison, load_errors};
 
 /// Errors of the loads and deflections of each method. Both forms of lubrication theory are always shown here,
@@ -31,7 +31,7 @@ pub(super) fn section(
         .filter(|encounter| encounter.method == Method::Exact)
         .map(|encounter| encounter.case)
         .collect();
-    let more = sweep::encounters(&extra, &cases, sweep);
+    let more = compare::encounters(&extra, &cases, sweep);
     out.account()
         .enter(more.iter().map(|encounter| &encounter.run));
     encounters.extend(more);
@@ -81,7 +81,7 @@ pub(super) fn section(
 /// One line of the summary of load errors.
 #[derive(Serialize)]
 struct WorstLoad {
-    method: &'static str,
+    method: Method,
     gap: f64,
     worst_error: f64,
     load: String,

@@ -7,10 +7,10 @@ use crate::commands::maps::SCATTER_BETA;
 use crate::error::CommandError;
 use crate::page::{Section, Table};
 use crate::pictures;
-use compare::maps::{
+use compare::output::{OutputFolder, csv_text};
+use compare::study::maps::{
     self, FateRow, Grid, Maps, Pair, ScatterRow, TrustRow, bound_examples, bound_rows, trust_rows,
 };
-use compare::output::{OutputFolder, csv_text};
 use compare::sweep::SweepOptions;
 use compare::{Method, Model};
 
@@ -215,7 +215,7 @@ impl<'a> ReportMaps<'a> {
         let of = |model: &Model| -> Vec<&[ScatterRow]> {
             let points = SCATTER_GRID * SCATTER_GRID;
             (rows.chunks(points))
-                .filter(|map| map[0].method == model.method().name())
+                .filter(|map| map[0].method == model.method())
                 .collect()
         };
         let referee = of(self.exact);

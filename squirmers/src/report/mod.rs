@@ -20,9 +20,9 @@ use crate::commands::encounters::cases;
 use crate::commands::maps::METHODS;
 use crate::page::{Figure, MethodCost, Page, Section, Table, render};
 use crate::pictures::{Picture, of_encounters, of_offsets};
-use compare::encounter_sweep::{Drawn, EncounterSweep};
 use compare::output::{OutputFolder, csv_text};
-use compare::sweep::{self, SweepOptions};
+use compare::study::encounters::{Drawn, EncounterSweep};
+use compare::sweep::SweepOptions;
 use maps::ReportMaps;
 
 use crate::error::CommandError;
@@ -116,7 +116,7 @@ fn paper_cases(approach: Approach) -> Result<Vec<Case>, CommandError> {
 /// The paper's offsets out of the plane, and its cases with and without each of them.
 fn offset_cases() -> Result<(Vec<f64>, Vec<Case>), CommandError> {
     let defaults = Defaults::paper()?.offset;
-    let cases = sweep::with_offsets(&defaults.cases(), &defaults.dz);
+    let cases = compare::with_offsets(&defaults.cases(), &defaults.dz);
     Ok((defaults.dz, cases))
 }
 

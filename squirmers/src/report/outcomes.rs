@@ -6,10 +6,10 @@ use super::written;
 use crate::error::CommandError;
 use crate::page::{Section, Table};
 use crate::pictures;
-use compare::bottom_heavy::{PanelRun, Panels};
 use compare::output::OutputFolder;
+use compare::study::panels::{PanelRun, Panels};
 use compare::sweep::SweepOptions;
-use compare::{Defaults, Model};
+use compare::{Defaults, Method, Model};
 
 pub(super) fn section(
     models: &[&Model],
@@ -49,7 +49,7 @@ pub(super) fn section(
 #[derive(Serialize)]
 struct ExampleRow {
     panel: String,
-    method: &'static str,
+    method: Method,
     beta: f64,
     delta: f64,
     sigma: f64,
@@ -66,7 +66,7 @@ impl ExampleRow {
         let deflection = |k: usize| run.map_or(f64::NAN, |r| r.deflections_rad()[k].to_degrees());
         Self {
             panel: example.case.panel.clone(),
-            method: example.method.name(),
+            method: example.method,
             beta: example.case.beta,
             delta: example.case.delta,
             sigma: example.case.sigma,

@@ -9,12 +9,13 @@ mod page;
 
 use std::sync::OnceLock;
 
-use compare::bottom_heavy::panel_runs;
-use compare::maps::{
+use compare::study::maps::{
     FateRow, Grid, Pair, ScatterRow, bound_rows, fates_of, scatter_row, trust_rows, trust_shares,
 };
-use compare::sweep::{SweepOptions, encounters, offsets};
+use compare::study::panels::panel_runs;
+use compare::sweep::SweepOptions;
 use compare::{Approach, Case, Defaults, Encounter, Method, Model, ModelOptions};
+use compare::{encounters, offsets};
 use rayon::prelude::*;
 use scene::{LoadSet, RunOptions};
 

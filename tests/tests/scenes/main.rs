@@ -11,7 +11,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::PathBuf;
 
 use approx::assert_relative_eq;
-use compare::maps::{Pair, scatter_row};
+use compare::study::maps::{Pair, scatter_row};
 use compare::{Approach, Case, Defaults, Method, Model, ModelOptions, SceneFile};
 use lt::{Form, Lubrication};
 use nalgebra::Vector3;

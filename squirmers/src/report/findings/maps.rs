@@ -1,9 +1,9 @@
 //! The findings from maps over the incoming angles and from pairs under gravity, in sentences.
 
-use super::{called, listed, number, percent, worst};
+use super::{listed, number, percent, worst};
 use compare::Method;
-use compare::bottom_heavy::PanelRow;
-use compare::maps::{BoundRow, FateRow, TrustShares};
+use compare::study::maps::{BoundRow, FateRow, TrustShares};
+use compare::study::panels::PanelRow;
 
 /// Smallest difference of two shares of the plane that the first screen mentions.
 const NOTEWORTHY: f64 = 0.05;
@@ -51,13 +51,13 @@ fn bound_by(row: &FateRow) -> String {
     } else {
         kinds.join(", ")
     };
-    format!("{of} by {}", called(&row.method))
+    format!("{of} by {}", row.method.in_sentence())
 }
 
 /// The beta at which the shares of bound pairs by two models differ most.
 pub(in crate::report) fn of_fates(rows: &[FateRow]) -> String {
     let (exact, judged): (Vec<&FateRow>, Vec<&FateRow>) =
-        (rows.iter()).partition(|row| row.method == Method::Exact.name());
+        (rows.iter()).partition(|row| row.method == Method::Exact);
     let pairs = judged.into_iter().filter_map(|row| {
         let of = exact.iter().find(|e| (e.beta - row.beta) == 0.0)?;
         Some((row, *of))
@@ -79,7 +79,7 @@ pub(in crate::report) fn of_fates(rows: &[FateRow]) -> String {
         ),
         number(judged.beta),
         percent(judged.bound()),
-        called(&judged.method),
+        judged.method.in_sentence(),
         percent(exact.bound()),
     )
 }
@@ -98,7 +98,7 @@ pub(in crate::report) fn of_trust(shares: &[TrustShares]) -> String {
                     )
                 })
                 .collect();
-            let name = called(&of_method[0].method);
+            let name = of_method[0].method.in_sentence();
             format!(
                 "Both outgoing directions by {name} are within 15° of the exact ones over {} of the incoming angles.",
                 listed(&parts)
@@ -124,7 +124,7 @@ pub(in crate::report) fn of_trust_against_offset(shares: &[TrustShares]) -> Stri
     format!(
         "For β = {} {} has another outcome over {} of the plane; with an offset out of the plane over at most {} (δz = {}).",
         number(row.beta),
-        called(&row.method),
+        row.method.in_sentence(),
         percent(row.other_outcome),
         percent(most.other_outcome),
         number(most.dz)
@@ -138,7 +138,7 @@ pub(in crate::report) fn of_states(states: &[BoundRow]) -> String {
         .map(|state| {
             format!(
                 "{} has {} at β = {} (gap {:.3}, disturbances decay at the rate {:.3})",
-                called(&state.method),
+                state.method.in_sentence(),
                 state.outcome,
                 number(state.beta),
                 state.gap,
@@ -159,7 +159,7 @@ pub(in crate::report) fn of_states(states: &[BoundRow]) -> String {
         text += &format!(
             " Besides, {} has a line of neutral states: any two parallel squirmers side by side at a gap of {}. This gap is \
              the cut of the theory, where the loads become those of lone squirmers. Pullers swim together in these states.",
-            called(&line.method),
+            line.method.in_sentence(),
             number((line.gap * 1e6).round() / 1e6)
         );
     }
@@ -173,7 +173,7 @@ pub(in crate::report) fn panels(rows: &[PanelRow]) -> String {
     names.dedup();
     let parts = names.into_iter().map(|panel| {
         let by = rows.iter().filter(|row| row.panel == panel).map(|row| {
-            let mut text = format!("{} by {}", row.outcome, called(row.method));
+            let mut text = format!("{} by {}", row.outcome, row.method.in_sentence());
             if row.min_gap.is_finite() {
                 text += &format!(" (smallest gap {:.3}", row.min_gap);
                 if row.depth_ratio.is_finite() {
@@ -197,7 +197,7 @@ pub(in crate::report) fn panels(rows: &[PanelRow]) -> String {
 /// The number of panels of Fig. 8 with different outcomes, and the largest bottom-heaviness at which pairs orbit.
 pub(in crate::report) fn of_gravity(rows: &[PanelRow], orbits: &[FateRow]) -> String {
     let [lt, exact] = [Method::Lt, Method::Exact]
-        .map(|method| (rows.iter().filter(|row| row.method == method.name())).collect::<Vec<_>>());
+        .map(|method| (rows.iter().filter(|row| row.method == method)).collect::<Vec<_>>());
     let mut text = String::new();
     if !lt.is_empty() && lt.len() == exact.len() {
         let otherwise = (lt.iter().zip(&exact)).filter(|(a, b)| a.outcome != b.outcome);
@@ -223,7 +223,7 @@ fn orbits_in_words(rows: &[FateRow]) -> String {
             let (beta, g, share) = (number(*beta), number(*g), percent(row.orbits()));
             Some(format!(
                 "β = {beta} by {} up to G = {g} (share at this G: {share})",
-                called(method)
+                method.in_sentence()
             ))
         })
         .collect();
@@ -240,7 +240,7 @@ mod tests {
 
     fn shares(beta: f64, dz: f64, other_outcome: f64) -> TrustShares {
         TrustShares {
-            method: "lt".to_owned(),
+            method: Method::Lt,
             beta,
             g: 0.0,
             dz,

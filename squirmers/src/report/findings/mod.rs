@@ -30,18 +30,6 @@ pub(super) fn percent(share: f64) -> String {
     format!("{:.1} %", 100.0 * share)
 }
 
-/// The name of a method within a sentence.
-fn called(method: &str) -> &str {
-    match Method::named(method) {
-        Some(Method::Lt) => "lubrication theory",
-        Some(Method::LtCorrected) => "corrected lubrication theory",
-        Some(Method::Exact) => "exact hydrodynamics",
-        Some(Method::Bem) => "boundary elements",
-        Some(Method::Isolated) => "no interaction",
-        Some(Method::Other(_)) | None => method,
-    }
-}
-
 /// `a`, `a and b`, `a, b and c`.
 fn listed(parts: &[String]) -> String {
     match parts {
@@ -114,10 +102,10 @@ fn place(row: &ComparisonRow) -> String {
 
 /// The largest changes by an offset out of the plane.
 pub(super) fn of_offsets(rows: &[OffsetRow]) -> String {
-    let method = if rows.iter().any(|row| row.method == Method::Exact.name()) {
-        Method::Exact.name()
+    let method = if rows.iter().any(|row| row.method == Method::Exact) {
+        Method::Exact
     } else {
-        rows.first().map_or("", |row| row.method)
+        rows.first().map_or(Method::Lt, |row| row.method)
     };
     let scattered = Outcome::Scattered.to_string();
     let parts: Vec<&OffsetRow> = (rows.iter())
@@ -143,7 +131,7 @@ pub(super) fn of_offsets(rows: &[OffsetRow]) -> String {
     }
     format!(
         "By {} an offset out of the plane changes outgoing directions by up to {}.",
-        called(method),
+        method.in_sentence(),
         listed(&most)
     )
 }
@@ -164,7 +152,11 @@ pub(super) fn of_loads(rows: &[LoadErrorRow]) -> String {
             } else {
                 percent(row.error)
             };
-            Some(format!("{error} by {} ({})", called(row.method), row.name))
+            Some(format!(
+                "{error} by {} ({})",
+                row.method.in_sentence(),
+                row.name
+            ))
         })
         .collect();
     if parts.is_empty() {
@@ -204,7 +196,7 @@ pub(super) fn slopes<'a>(
         // A model whose range ends at larger gaps has no slope here.
         if model.range().check(Gap::new(SLOPE_GAPS[1])?).is_ok() {
             let [first, second] = axial_slopes(model)?;
-            let name = called(method.name());
+            let name = method.in_sentence();
             parts.push(format!("{first:.3} and {second:.3} by {name}"));
         }
     }
@@ -267,7 +259,7 @@ mod tests {
         for (form, method, slope) in forms {
             let model = lt::Lubrication::new(form);
             let text = slopes(std::iter::once((method, &model as &dyn Hydrodynamics))).unwrap();
-            let name = called(method.name());
+            let name = method.in_sentence();
             let claim = format!("is {slope:.3} and {slope:.3} by {name}");
             assert!(text.contains(&claim), "{text}");
         }

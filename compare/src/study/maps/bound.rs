@@ -14,7 +14,7 @@ columns! {
     pub struct BoundRow {
         /// Name of the method.
         #[unit = "-"]
-        pub method: String,
+        pub method: Method,
         /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
         #[unit = "-"]
         pub beta: f64,
@@ -52,7 +52,7 @@ impl BoundRow {
     fn of(method: Method, beta: f64, state: &BoundState) -> Self {
         let [angle1_deg, angle2_deg] = state.angles_rad.map(f64::to_degrees);
         Self {
-            method: method.name().to_owned(),
+            method,
             beta,
             outcome: state.outcome.to_string(),
             gap: state.gap.eps(),
@@ -95,7 +95,7 @@ columns! {
     pub struct BoundExample {
         /// Name of the form of lubrication theory.
         #[unit = "-"]
-        pub method: String,
+        pub method: Method,
         /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
         #[unit = "-"]
         pub beta: f64,
@@ -179,9 +179,9 @@ fn example(
         .collect();
     let row = alike.get(alike.len() / 2)?;
     let (bound, other) = if is_bound(outcome_lt) {
-        (outcome_lt, Method::Exact.name())
+        (outcome_lt, Method::Exact)
     } else {
-        (outcome_exact, row.method.as_str())
+        (outcome_exact, row.method)
     };
     // Stable ones come first.
     let there = (states.iter()).find(|state| {
@@ -190,7 +190,7 @@ fn example(
             && kind(&state.outcome) == kind(bound)
     });
     Some(BoundExample {
-        method: row.method.clone(),
+        method: row.method,
         beta: row.beta,
         outcome_lt: outcome_lt.to_owned(),
         outcome_exact: outcome_exact.to_owned(),

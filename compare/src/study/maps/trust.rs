@@ -6,11 +6,11 @@ use serde::{Deserialize, Serialize};
 use super::grid::Pair;
 use super::scatter::{ScatterRow, line};
 use super::{EachMap, Maps};
-use crate::CompareError;
 use crate::columns::columns;
-use crate::encounter::FAILED;
+use crate::no_run::FAILED;
 use crate::output::csv_lines;
 use crate::sweep::Row;
+use crate::{CompareError, Method};
 
 columns! {
     /// A row for each form of lubrication theory, pair and point of the grid of initial angles. Differences are deflections
@@ -40,7 +40,7 @@ columns! {
         pub difference2_deg: f64,
         /// Name of the form of lubrication theory.
         #[unit = "-"]
-        pub method: String,
+        pub method: Method,
         /// Bottom-heaviness of both squirmers; 0 if gravity does not turn them.
         #[unit = "-"]
         pub g: f64,
@@ -60,7 +60,7 @@ impl TrustRow {
             outcome_exact: exact.outcome.clone(),
             difference1_deg: judged.deflection1_deg - exact.deflection1_deg,
             difference2_deg: judged.deflection2_deg - exact.deflection2_deg,
-            method: judged.method.clone(),
+            method: judged.method,
             g: pair.g,
             dz: pair.dz,
         }
@@ -119,7 +119,7 @@ columns! {
     pub struct TrustShares {
         /// Name of the form of lubrication theory.
         #[unit = "-"]
-        pub method: String,
+        pub method: Method,
         /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
         #[unit = "-"]
         pub beta: f64,
@@ -178,7 +178,7 @@ pub fn trust_shares(rows: &[TrustRow]) -> Vec<TrustShares> {
                 map.iter().filter(|row| row.class() == class).count() as f64 / map.len() as f64
             };
             TrustShares {
-                method: map[0].method.clone(),
+                method: map[0].method,
                 beta: map[0].beta,
                 g: map[0].g,
                 dz: map[0].dz,
@@ -264,7 +264,7 @@ mod tests {
             outcome_exact: outcomes[1].to_owned(),
             difference1_deg: f64::NAN,
             difference2_deg: f64::NAN,
-            method: "lt".to_owned(),
+            method: Method::Lt,
             g: 0.0,
             dz: 0.0,
         }

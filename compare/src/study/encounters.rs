@@ -1,15 +1,21 @@
-//! Sweeps of encounters, of any size. Each row goes to a part file as soon as it is computed; the final file is
-//! written when all rows are computed. Memory holds only the runs that a picture shows.
+//! Encounters at opposed velocities and at right angles (the paper's Figs 6 and 7): one row of numbers per run, and its
+//! trajectory. A sweep of them has any size: memory holds only the runs that a picture shows.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
 
-use scene::RunOptions;
+use rayon::prelude::*;
+use scene::{Outcome, Run, RunOptions};
+use serde::{Deserialize, Serialize};
 
-use crate::columns::{self, Columns};
+use crate::columns::{self, Columns, columns};
+use crate::no_run::{NoRun, RunNumbers};
+use crate::numbers::written;
 use crate::output::{OutputFolder, csv_lines};
 use crate::sweep::{self, Computed, Done, Row, Sweep, SweepOptions};
-use crate::{Case, CompareError, Encounter, EncounterRow, Model, OffsetRow};
+use crate::watch::{Pieces, Progress};
+use crate::{Case, CompareError, Method, Model};
 
 /// Largest number of runs of a sweep.
 pub const MOST_RUNS: usize = 4_000_000;
@@ -21,15 +27,166 @@ const MOST_DRAWN: usize = 120;
 /// Largest number of runs in a picture of deflections.
 const MOST_POINTS: usize = 2000;
 
+/// One encounter by one method: its run, or the reason why it has none.
+#[derive(Clone, Debug)]
+pub struct Encounter {
+    /// The case.
+    pub case: Case,
+    /// The method.
+    pub method: Method,
+    /// The run with its samples, or the reason why there is no run.
+    pub run: Result<Run, NoRun>,
+    /// Wall-clock time of the run in seconds, without the time to build tables.
+    pub seconds: f64,
+}
+
+columns! {
+    /// A row for each encounter and method. A run without a result has NaN.
+    #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+    pub struct EncounterRow {
+        /// Name of the method.
+        #[unit = "-"]
+        pub method: Method,
+        /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
+        #[unit = "-"]
+        pub beta: f64,
+        /// Offset of the two paths in the plane; for opposed paths the distance between them.
+        #[unit = "a"]
+        pub dx: f64,
+        /// Offset out of the plane: squirmer 1 starts at `z = dz/2`, squirmer 2 at `z = -dz/2`.
+        #[unit = "a"]
+        pub dz: f64,
+        /// Deflection of squirmer 1: outgoing minus incoming angle in the x-y plane.
+        #[unit = "deg"]
+        pub deflection1_deg: f64,
+        /// Deflection of squirmer 2: outgoing minus incoming angle in the x-y plane.
+        #[unit = "deg"]
+        pub deflection2_deg: f64,
+        /// Smallest gap during the run.
+        #[unit = "a"]
+        pub min_gap: f64,
+        /// Interaction time: the time that the pair spends at gaps up to one radius.
+        #[unit = "a/V_s"]
+        pub tau: f64,
+        /// Outcome of the run.
+        #[unit = "-"]
+        pub outcome: String,
+        /// Number of accepted steps of the integrator; 0 for a run without a result.
+        #[unit = "-"]
+        pub steps: u64,
+        /// Number of times that the model computed its loads; 0 for a run without a result.
+        #[unit = "-"]
+        pub loads: u64,
+        /// Time of the run, without the time to build tables.
+        #[unit = "s"]
+        pub seconds: f64,
+        /// Estimated difference of the deflections from their limit at infinite distance; 0 if the run needs no such limit.
+        #[unit = "deg"]
+        pub truncation_deg: f64,
+    }
+}
+
 impl Row for EncounterRow {
     fn outcomes(&self) -> impl Iterator<Item = &str> {
         std::iter::once(self.outcome.as_str())
     }
 }
 
-impl Row for OffsetRow {
-    fn outcomes(&self) -> impl Iterator<Item = &str> {
-        std::iter::once(self.outcome.as_str())
+impl Encounter {
+    /// The row of this encounter.
+    #[must_use]
+    pub fn row(&self) -> EncounterRow {
+        let Case { beta, dx, dz, .. } = self.case;
+        let run = RunNumbers::of(&self.run);
+        EncounterRow {
+            method: self.method,
+            beta,
+            dx,
+            dz,
+            deflection1_deg: run.deflections_deg[0],
+            deflection2_deg: run.deflections_deg[1],
+            min_gap: run.min_gap,
+            tau: run.tau,
+            outcome: run.outcome,
+            steps: run.steps,
+            loads: run.loads,
+            seconds: self.seconds,
+            truncation_deg: run.truncation_deg,
+        }
+    }
+
+    /// Name of the outcome, `failed` or `skipped`.
+    #[must_use]
+    pub fn outcome(&self) -> String {
+        RunNumbers::of(&self.run).outcome
+    }
+
+    /// A message about an encounter without a result.
+    #[must_use]
+    pub fn failure(&self) -> Option<String> {
+        let reason = self.run.as_ref().err()?;
+        let Case {
+            approach,
+            beta,
+            dx,
+            dz,
+        } = self.case;
+        Some(format!(
+            "{approach}, {}, beta {}, dx {}, dz {}: {reason}",
+            self.method,
+            written(beta),
+            written(dx),
+            written(dz)
+        ))
+    }
+
+    /// Whether the pair parted. Only then are its outgoing angles meaningful.
+    #[must_use]
+    pub fn scattered(&self) -> bool {
+        (self.run.as_ref()).is_ok_and(|run| run.outcome == Outcome::Scattered)
+    }
+}
+
+/// Runs every case by every method. Methods are the outer loop.
+#[must_use]
+pub fn encounters(models: &[Model], cases: &[Case], options: &SweepOptions) -> Vec<Encounter> {
+    let started = Instant::now();
+    let progress = Progress::begin("encounters", models.len() * cases.len(), Pieces::Alike);
+    let pairs: Vec<_> = (models.iter())
+        .flat_map(|model| cases.iter().map(move |case| (model, case)))
+        .collect();
+    pairs
+        .into_par_iter()
+        .map(|(model, case)| {
+            let late = (options.time_limit).is_some_and(|limit| started.elapsed() >= limit);
+            let encounter = if late {
+                skipped(model, case)
+            } else {
+                encounter(model, case, &options.run)
+            };
+            progress.advance();
+            encounter
+        })
+        .collect()
+}
+
+pub(super) fn skipped(model: &Model, case: &Case) -> Encounter {
+    Encounter {
+        case: *case,
+        method: model.method(),
+        run: Err(NoRun::Skipped),
+        seconds: 0.0,
+    }
+}
+
+pub(super) fn encounter(model: &Model, case: &Case, options: &RunOptions) -> Encounter {
+    let started = Instant::now();
+    let run = model.attempt(case.scene(), options);
+    Encounter {
+        case: *case,
+        method: model.method(),
+        run,
+        seconds: started.elapsed().as_secs_f64(),
     }
 }
 
@@ -106,7 +263,7 @@ impl EncounterSweep<'_> {
     }
 
     /// The sweep of `units` units.
-    fn sweep(&self, units: usize) -> Sweep<'_> {
+    pub(super) fn sweep(&self, units: usize) -> Sweep<'_> {
         let size = Sweep::size_of(units);
         Sweep {
             name: self.name,
@@ -131,15 +288,6 @@ impl EncounterSweep<'_> {
         self.sweep(self.models.len() * self.cases.len()).check()
     }
 
-    /// Checks that [`Self::offsets`] would not delete rows of another sweep.
-    ///
-    /// # Errors
-    /// As [`Sweep::check`].
-    pub fn check_offsets(&self, dz: &[f64]) -> Result<(), CompareError> {
-        let cases = self.cases.len() / (1 + dz.len());
-        self.sweep(self.models.len() * cases).check()
-    }
-
     /// Runs every case by every method. Passes each row to `each`, in order, and returns the encounters to draw.
     ///
     /// # Errors
@@ -160,11 +308,11 @@ impl EncounterSweep<'_> {
         };
         let run = |run: usize| {
             let (model, case) = of(run);
-            sweep::encounter(model, case, &options)
+            encounter(model, case, &options)
         };
         let skipped = |run: usize| {
             let (model, case) = of(run);
-            sweep::skipped(model, case)
+            skipped(model, case)
         };
         let computed = |encounter: &Encounter| -> Result<Computed, CompareError> {
             Ok(Computed {
@@ -197,61 +345,8 @@ impl EncounterSweep<'_> {
             .collect())
     }
 
-    /// Computes how much each offset `dz` changes the outgoing orientations of each case. Returns whether all are done.
-    ///
-    /// # Errors
-    /// As [`Self::encounters`].
-    pub fn offsets(
-        &self,
-        dz: &[f64],
-        each: &mut dyn FnMut(OffsetRow),
-    ) -> Result<bool, CompareError> {
-        let options = RunOptions {
-            sample_interval: None,
-            ..self.options.run
-        };
-        // All offsets of a case are compared with its planar run.
-        let group = 1 + dz.len();
-        let cases = self.cases.len() / group;
-        let of = |number: usize| {
-            let (model, case) = (number / cases, number % cases);
-            let cases = &self.cases[case * group..(case + 1) * group];
-            (&self.models[model], cases)
-        };
-        let skipped = |number: usize| -> Vec<Encounter> {
-            let (model, cases) = of(number);
-            (cases.iter())
-                .map(|case| sweep::skipped(model, case))
-                .collect()
-        };
-        let rows = |encounters: &[Encounter]| -> Vec<OffsetRow> {
-            (encounters[1..].iter())
-                .map(|offset| sweep::offset_row(&encounters[0], offset))
-                .collect()
-        };
-        let computed = |encounters: &[Encounter]| -> Result<Computed, CompareError> {
-            Ok(Computed {
-                lines: csv_lines(&rows(encounters))?,
-                failure: encounters.iter().find_map(Encounter::failure),
-            })
-        };
-        let done = self.write(
-            self.models.len() * cases,
-            |number| {
-                let (model, cases) = of(number);
-                let encounters: Vec<_> = (cases.iter())
-                    .map(|case| sweep::encounter(model, case, &options))
-                    .collect();
-                computed(&encounters)
-            },
-            &|number| computed(&skipped(number)),
-            each,
-        )?;
-        Ok(done.is_complete())
-    }
-
     /// Computes and writes `units` units.
-    fn write<R: Row + Columns>(
+    pub(super) fn write<R: Row + Columns>(
         &self,
         units: usize,
         compute: impl Fn(usize) -> Result<Computed, CompareError> + Sync,

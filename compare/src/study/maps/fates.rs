@@ -7,7 +7,7 @@ use super::Maps;
 use super::grid::Pair;
 use super::scatter::{ScatterRow, line};
 use crate::columns::columns;
-use crate::encounter::FAILED;
+use crate::no_run::FAILED;
 use crate::output::csv_lines;
 use crate::sweep::Row;
 use crate::{CompareError, Method, Model};
@@ -19,7 +19,7 @@ columns! {
     pub struct FateRow {
         /// Name of the method.
         #[unit = "-"]
-        pub method: String,
+        pub method: Method,
         /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
         #[unit = "-"]
         pub beta: f64,
@@ -96,12 +96,6 @@ impl FateRow {
     pub fn orbits(&self) -> f64 {
         self.anticlockwise + self.clockwise
     }
-
-    /// The method.
-    #[must_use]
-    pub fn method(&self) -> Option<Method> {
-        Method::named(&self.method)
-    }
 }
 
 /// Number of runs with each outcome along a line of the grid. The last number counts failed runs.
@@ -163,7 +157,7 @@ fn fate_row(method: Method, pair: Pair, lines: &[Counts]) -> FateRow {
     let of =
         |outcome: Outcome| (Outcome::ALL.iter().position(|o| *o == outcome)).map_or(0.0, share);
     let mut row = FateRow {
-        method: method.name().to_owned(),
+        method,
         beta: pair.beta,
         g: pair.g,
         scattered: of(Outcome::Scattered),

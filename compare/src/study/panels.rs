@@ -6,9 +6,9 @@ use scene::{Configuration, Run, RunOptions, Sample, Scene};
 use serde::{Deserialize, Serialize};
 
 use crate::columns::columns;
-use crate::encounter::RunNumbers;
-use crate::maps::Pair;
+use crate::no_run::RunNumbers;
 use crate::output::{OutputFolder, csv_text};
+use crate::study::maps::Pair;
 use crate::sweep::SweepOptions;
 use crate::watch::{Pieces, Progress, notice};
 use crate::{CompareError, Method, Model, NoRun};
@@ -62,7 +62,7 @@ columns! {
     pub struct TrajectoryRow {
         /// Name of the method.
         #[unit = "-"]
-        pub method: &'static str,
+        pub method: Method,
         /// Letter of the panel: the start of the trajectory.
         #[unit = "-"]
         pub panel: String,
@@ -99,7 +99,7 @@ pub struct PanelRow {
     /// Letter of the panel.
     pub panel: String,
     /// Name of the method.
-    pub method: &'static str,
+    pub method: Method,
     /// Squirmer parameter.
     pub beta: f64,
     /// Bottom-heaviness.
@@ -129,7 +129,7 @@ impl PanelRun {
             let [one, two] = configuration.positions();
             let [angle1_deg, angle2_deg] = configuration.angles_rad.map(f64::to_degrees);
             TrajectoryRow {
-                method: self.method.name(),
+                method: self.method,
                 panel: self.case.panel.clone(),
                 t: *t,
                 x1: one.x,
@@ -170,7 +170,7 @@ impl PanelRun {
         let depth_ratio = (self.run.as_ref()).map_or(f64::NAN, |run| depth_ratio(run, g));
         PanelRow {
             panel,
-            method: self.method.name(),
+            method: self.method,
             beta,
             g,
             delta,

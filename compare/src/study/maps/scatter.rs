@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::grid::{Grid, Pair};
 use super::{EachMap, Maps};
 use crate::columns::columns;
-use crate::encounter::RunNumbers;
+use crate::no_run::RunNumbers;
 use crate::output::csv_lines;
 use crate::sweep::Row;
 use crate::{CompareError, Method, Model};
@@ -17,7 +17,7 @@ columns! {
     pub struct ScatterRow {
         /// Name of the method.
         #[unit = "-"]
-        pub method: String,
+        pub method: Method,
         /// Squirming parameter B2/B1 of both squirmers; positive for pullers, negative for pushers.
         #[unit = "-"]
         pub beta: f64,
@@ -67,7 +67,7 @@ pub fn scatter_row(
     // No negative zeros.
     let [deflection1_deg, deflection2_deg] = deflections_deg.map(|angle| angle + 0.0);
     ScatterRow {
-        method: model.method().name().to_owned(),
+        method: model.method(),
         beta: pair.beta,
         g: pair.g,
         delta,
@@ -123,12 +123,6 @@ impl Row for ScatterRow {
 }
 
 impl ScatterRow {
-    /// The method.
-    #[must_use]
-    pub fn method(&self) -> Option<Method> {
-        Method::named(&self.method)
-    }
-
     /// The outcome; `None` if the run failed.
     #[must_use]
     pub fn outcome(&self) -> Option<Outcome> {
