@@ -316,9 +316,9 @@ impl Hydrodynamics for LoadsFile {
     }
 
     /// The largest over the loads of `set` of the error that the file states at the two gaps next to `gap`, and of an estimate of
-    /// the interpolation error from fourth differences. The estimate is up to some 20 times the error; a file with less than four
-    /// gaps a decade may be worse than its estimate. Noise that the file does not state shows in the differences, a bias
-    /// does not. Of a symmetric pair, too, the errors are those of the loads of each sphere.
+    /// the interpolation error from fourth differences. Of exact loads at 4 to 24 gaps a decade the largest estimate is 4 to
+    /// 20 times the largest error; fewer gaps may not show how large their error is. Noise that the file does not state
+    /// shows in the differences, a bias does not. Of a symmetric pair, too, the errors are those of the loads of each sphere.
     fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
         let set = set.check()?;
         let from = self.interval(gap)? * self.held;
