@@ -7,7 +7,7 @@ use clap::Args;
 use crate::error::CommandError;
 use compare::numbers::{Numbers, parse_number, parse_numbers, parse_whole};
 use compare::output::OutputFolder;
-use compare::{LoadsFile, Method, ModelOptions};
+use compare::{CompareError, LoadsFile, Method, ModelOptions};
 
 /// What every command takes.
 #[derive(Debug, Args)]
@@ -151,5 +151,10 @@ fn parse_methods(text: &str) -> Result<Methods, String> {
 /// The model whose loads are in a file.
 fn from_file(name: &str, path: &str) -> Result<Method, String> {
     let loads = LoadsFile::read(Path::new(path)).map_err(|error| error.to_string())?;
-    Method::register(name, Box::new(loads)).map_err(|error| error.to_string())
+    Method::register(name, Box::new(loads)).map_err(|error| match error {
+        CompareError::Input { value, allowed, .. } => {
+            format!("'{value}' is not allowed: {allowed}")
+        }
+        other => other.to_string(),
+    })
 }

@@ -110,7 +110,7 @@ fn scenes(size: usize) -> Result<Vec<Scene>, CompareError> {
     (0..size)
         .map(|i| {
             let share = (i as f64 + 0.5) / size as f64;
-            Ok(fig_6(OFFSETS.0 + share * (OFFSETS.1 - OFFSETS.0)).scene()?)
+            fig_6(OFFSETS.0 + share * (OFFSETS.1 - OFFSETS.0)).scene()
         })
         .collect()
 }

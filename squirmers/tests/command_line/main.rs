@@ -4,6 +4,7 @@
 
 mod columns;
 mod limits;
+mod models;
 mod refusals;
 
 #[cfg(target_os = "linux")]
