@@ -12,6 +12,7 @@ use tempfile::NamedTempFile;
 
 use crate::CompareError;
 use crate::account::Account;
+use crate::columns::{self, Columns};
 use crate::watch::notice;
 
 /// The folder that a command writes into. No other command writes into it meanwhile.
@@ -212,15 +213,8 @@ fn lock(path: &Path, others: Others) -> Result<Option<File>, CompareError> {
 ///
 /// # Errors
 /// [`CompareError::Rows`] if a row cannot be written as a line.
-pub fn csv_text<T: Serialize>(rows: &[T]) -> Result<String, CompareError> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in rows {
-        writer.serialize(row)?;
-    }
-    let bytes = writer
-        .into_inner()
-        .map_err(|error| csv::Error::from(error.into_error()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+pub fn csv_text<R: Serialize + Columns>(rows: &[R]) -> Result<String, CompareError> {
+    Ok(format!("{}\n{}", columns::header::<R>(), csv_lines(rows)?))
 }
 
 /// Rows as CSV lines without a header.

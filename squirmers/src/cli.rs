@@ -13,7 +13,7 @@ use crate::commands::{self, Command};
 use crate::error::CommandError;
 use crate::interrupt;
 use crate::progress::OnStandardError;
-use crate::streams::{complain, refused, write_out};
+use crate::streams::{print_error, refused, write_out};
 
 /// Two squirming spheres in a Stokes fluid: lubrication theory against full hydrodynamics.
 ///
@@ -77,8 +77,8 @@ fn ended(done: Result<(), CommandError>) -> ExitCode {
         Err(error) => {
             match error {
                 // The user requested the interrupt, so the message does not say "error".
-                CommandError::Compare(CompareError::Interrupted { .. }) => complain!("{error}"),
-                _ => complain!("error: {error}"),
+                CommandError::Compare(CompareError::Interrupted { .. }) => print_error!("{error}"),
+                _ => print_error!("error: {error}"),
             }
             ExitCode::from(error.exit_status())
         }
@@ -101,7 +101,7 @@ fn refuse(error: &clap::Error) -> ExitCode {
         .take_while(|line| !line.starts_with("Usage:") && !line.starts_with("For more"))
         .filter(|line| !line.is_empty())
         .collect();
-    complain!("{} (see --help)", lines.join(" "));
+    print_error!("{} (see --help)", lines.join(" "));
     ExitCode::from(2)
 }
 

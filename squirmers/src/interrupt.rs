@@ -5,7 +5,7 @@ use compare::watch;
 
 use crate::error::INTERRUPTED;
 use crate::progress;
-use crate::streams::complain;
+use crate::streams::print_error;
 
 /// Installs the handler of interrupts.
 pub(crate) fn listen() {
@@ -17,12 +17,12 @@ pub(crate) fn listen() {
         }
         progress::aside(|| {
             if watch::keeps_pieces() {
-                complain!(
+                print_error!(
                     "interrupted: finishing the current pieces first; a second interrupt ends the command at once"
                 );
             } else {
                 let left = watch::left().map_or(String::new(), |left| format!(": {left}"));
-                complain!("interrupted{left}");
+                print_error!("interrupted{left}");
                 std::process::exit(INTERRUPTED.into());
             }
         });

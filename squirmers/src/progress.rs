@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use compare::watch::{Pieces, Shown, Watch, Work};
 use indicatif::{MultiProgress, ProgressBar, ProgressStyle};
 
-use crate::streams::complain;
+use crate::streams::print_error;
 
 /// Time between plain lines. Shorter work prints none.
 const INTERVAL: Duration = Duration::from_secs(60);
@@ -34,7 +34,7 @@ impl Watch for OnStandardError {
         let stretch = Stretch::new(work);
         if LINES.is_hidden() {
             return Box::new(Reports::begin(stretch, INTERVAL, |line| {
-                complain!("{line}");
+                print_error!("{line}");
             }));
         }
         let line = LINES.add(ProgressBar::new(work.total as u64));
@@ -46,7 +46,7 @@ impl Watch for OnStandardError {
     }
 
     fn notice(&self, line: Arguments<'_>) {
-        aside(|| complain!("{line}"));
+        aside(|| print_error!("{line}"));
     }
 }
 

@@ -48,17 +48,17 @@ pub(crate) fn refused() -> Result<(), CommandError> {
 }
 
 /// Prints a line on standard output.
-macro_rules! say {
+macro_rules! print_line {
     ($($text:tt)+) => {
         $crate::streams::write_out(format_args!("{}\n", format_args!($($text)+)))
     };
 }
 
 /// Prints a line on standard error.
-macro_rules! complain {
+macro_rules! print_error {
     ($($text:tt)+) => {
         $crate::streams::write_error(format_args!("{}\n", format_args!($($text)+)))
     };
 }
 
-pub(crate) use {complain, say};
+pub(crate) use {print_error, print_line};

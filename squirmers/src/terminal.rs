@@ -2,7 +2,7 @@
 
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, Width, presets};
 
-use crate::streams::say;
+use crate::streams::print_line;
 
 /// Characters in a line of a terminal.
 const TERMINAL: u16 = 80;
@@ -41,5 +41,5 @@ pub(crate) fn print_rows(header: &[&str], rows: impl Iterator<Item = Vec<String>
         let whole = Width::Fixed(u16::try_from(width + 1).unwrap_or(TERMINAL));
         column.set_constraint(ColumnConstraint::LowerBoundary(whole));
     }
-    say!("{table}");
+    print_line!("{table}");
 }

@@ -2,20 +2,12 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
-use std::time::Duration;
+mod start;
 
-fn start(arguments: &[&str], out: &Path) -> Child {
-    Command::new(env!("CARGO_BIN_EXE_squirmers"))
-        .args(arguments)
-        .arg("--out")
-        .arg(out)
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap()
-}
+use start::start;
+use std::path::{Path, PathBuf};
+use std::process::Output;
+use std::time::Duration;
 
 /// Names and bytes of the files in a folder and in the folders within it, in the order of their names.
 fn contents(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
@@ -50,7 +42,7 @@ fn commands_that_write_whole_files_share_cache_and_output_folder() {
         let loads = [
             "loads", "--gap", "0.1", "--method", "lt,exact", "--modes", "1", "--cache",
         ];
-        start(&[&loads[..], &[cache.to_str().unwrap()]].concat(), folder)
+        start(folder, &[&loads[..], &[cache.to_str().unwrap()]].concat())
     };
     let (alone, shared) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
     assert!(start(alone.path()).wait().unwrap().success());
@@ -92,7 +84,7 @@ fn of_maps_that_start_at_once_in_one_folder_one_is_done_and_the_other_refused_or
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path();
         let both = ["5", second]
-            .map(|beta| start(&map(beta), out))
+            .map(|beta| start(out, &map(beta)))
             .map(|child| child.wait_with_output().unwrap());
         assert!(both.iter().any(|output| output.status.success()));
         for output in both {
@@ -110,13 +102,13 @@ fn a_map_in_a_folder_that_another_one_writes_into_is_refused_and_the_other_one_l
     for second in ["5", "-5"] {
         let folder = tempfile::tempdir().unwrap();
         let out = folder.path();
-        let mut first = start(&map("5"), out);
+        let mut first = start(out, &map("5"));
         let part = || std::fs::read_to_string(out.join("scatter.csv.part")).unwrap_or_default();
         while !part().contains("\ndone ") {
             assert!(first.try_wait().unwrap().is_none(), "it ended too early");
             std::thread::sleep(Duration::from_millis(1));
         }
-        let refused = start(&map(second), out).wait_with_output().unwrap();
+        let refused = start(out, &map(second)).wait_with_output().unwrap();
         assert!(was_refused(&refused), "{refused:?}");
         let first = first.wait_with_output().unwrap();
         assert!(first.status.success(), "{first:?}");
@@ -133,7 +125,7 @@ fn of_runs_that_start_at_once_in_one_folder_each_is_done_or_refused_before_it_be
     };
     let [one, two] = ["fig6-head-on-dx1.toml", "fig6-head-on-dx2.toml"].map(scene);
     let outputs = [&one, &two, &one]
-        .map(|scene| start(&["run", scene], folder.path()))
+        .map(|scene| start(folder.path(), &["run", scene]))
         .map(|child| child.wait_with_output().unwrap());
     assert!(outputs.iter().any(|output| output.status.success()));
     for output in outputs {

@@ -3,20 +3,12 @@
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
-use std::path::Path;
-use std::process::{Child, Command, Output, Stdio};
-use std::time::{Duration, Instant};
+mod start;
 
-fn start(out: &Path, arguments: &[&str]) -> Child {
-    Command::new(env!("CARGO_BIN_EXE_squirmers"))
-        .args(arguments)
-        .arg("--out")
-        .arg(out)
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap()
-}
+use start::start;
+use std::path::Path;
+use std::process::{Child, Command, Output};
+use std::time::{Duration, Instant};
 
 fn interrupt(child: &Child) {
     let id = child.id().to_string();

@@ -295,25 +295,3 @@ fn csv_rows(text: &str) -> Vec<csv::StringRecord> {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     reader.records().map(Result::unwrap).collect()
 }
-
-#[test]
-fn values_that_are_not_allowed_are_named() {
-    for (arguments, named) in [
-        (&["scatter", "--grid", "1"][..], "'1'"),
-        (&["scatter", "--grid", "-4"], "-4"),
-        (&["fates", "--g", "nan"], "'nan'"),
-        (&["fates", "--tol", "0"], "'0.0'"),
-        (&["scatter", "--beta", "5,x"], "'x'"),
-        (&["trust", "--method", "lt"], "exact"),
-    ] {
-        let folder = tempfile::tempdir().unwrap();
-        let out = folder.path().join("results");
-        let output = squirmers(&out, arguments);
-        let message = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
-        assert_eq!(message.trim().lines().count(), 1, "{message}");
-        assert!(message.contains(named), "'{message}' does not name {named}");
-        let left = std::fs::read_dir(&out).map_or(0, Iterator::count);
-        assert_eq!(left, 0, "{arguments:?} left files behind");
-    }
-}

@@ -148,9 +148,8 @@ pub const FILES: [CsvFile; 24] = [
 const INTRODUCTION: &str = "\
 # Columns of the CSV files
 
-Every CSV file that a command writes has a header line with the names of its columns, then a line for each row. A file
-without rows is empty. This page is made from the code by
-`cargo run -p squirmers-compare --example columns > docs/COLUMNS.md`.
+Every CSV file that a command writes has a header line with the names of its columns, then a line for each row. This
+page is made from the code by `cargo run -p squirmers-compare --example columns > docs/COLUMNS.md`.
 
 Squirmers have the numbers 1 and 2. The gap is the distance between their surfaces. A deflection is the outgoing minus
 the incoming angle of a squirmer's orientation, projected on the x-y plane; it may exceed 360 degrees. Outgoing means at

@@ -9,7 +9,7 @@ use scene::{Gap, LoadSet};
 use crate::arguments::GeneralArguments;
 use crate::error::CommandError;
 use crate::figures::{deflections_work_precision, loads_work_precision};
-use crate::streams::{say, write_out};
+use crate::streams::{print_line, write_out};
 use crate::terminal::print_rows;
 use compare::cost::{
     self, CostOptions, CostRow, Finding, Part, Recommendation, findings, parse_target, recommend,
@@ -64,7 +64,7 @@ pub(super) fn run(
     print_recommendations(&recommended);
     let found = findings(&rows);
     out.write("cost-findings.csv", &csv_text(&found)?)?;
-    say!("");
+    print_line!("");
     print_findings(&found);
     let mut lines = Vec::new();
     if arguments.profile {

@@ -4,7 +4,7 @@ use compare::numbers::{Numbers, rounded, written};
 use compare::study::encounters::{Drawn, EncounterSweep};
 use compare::{Approach, Case, Defaults, EncounterRow, Method};
 
-use super::many::{PRINTED, checked_count, drop_undrawn, keep_first, print_rest, say_undrawn};
+use super::many::{PRINTED, checked_count, drop_undrawn, keep_first, print_rest, print_undrawn};
 use super::shared::{model_options, set_up, sweep_options};
 use crate::arguments::{EncounterArguments, GeneralArguments, ModelArguments, RunArguments};
 use crate::error::CommandError;
@@ -52,7 +52,7 @@ pub(super) fn encounters(
     }
     print_encounters(&first);
     print_rest(runs, approach);
-    say_undrawn(drawn, runs);
+    print_undrawn(drawn, runs);
     Ok(out.account().verdict()?)
 }
 
@@ -148,7 +148,7 @@ pub(super) fn offset(
     );
     print_rest(runs - runs / (1 + dz.len()), "offset");
     if drawn == Drawn::Nothing {
-        say_undrawn(drawn, runs);
+        print_undrawn(drawn, runs);
     }
     Ok(out.account().verdict()?)
 }

@@ -6,7 +6,7 @@ use comfy_table::Table;
 use crate::arguments::GeneralArguments;
 use crate::error::CommandError;
 use crate::progress;
-use crate::streams::say;
+use crate::streams::print_line;
 use crate::terminal::words;
 use compare::hard_cases::{self, Bench, GROUPS, Group, HardCaseRow};
 use compare::numbers::size;
@@ -66,14 +66,14 @@ pub(super) fn run(
     out.write("hard-cases.csv", &csv_text(&rows)?)?;
     out.account().bounds(rows.iter().map(|row| row.holds));
     out.account().verdict()?;
-    say!("all {} bounds hold", rows.len());
+    print_line!("all {} bounds hold", rows.len());
     Ok(())
 }
 
 fn print(group: &Group, rows: &[HardCaseRow]) {
     let heading = vec![format!("{}: {}", group.name, group.hazard)];
-    say!("{}", words([heading].into_iter()));
-    say!("{}\n", table(rows));
+    print_line!("{}", words([heading].into_iter()));
+    print_line!("{}\n", table(rows));
 }
 
 fn table(rows: &[HardCaseRow]) -> Table {

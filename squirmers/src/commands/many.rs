@@ -1,7 +1,7 @@
 //! Limits on what commands print and draw of sweeps with many runs.
 
 use crate::error::CommandError;
-use crate::streams::say;
+use crate::streams::print_line;
 use compare::Approach;
 use compare::output::OutputFolder;
 use compare::study::encounters::{Drawn, MOST_RUNS};
@@ -49,15 +49,17 @@ pub(super) fn keep_first<R>(first: &mut Vec<R>, row: R) {
 /// Reports the number of rows that are not printed.
 pub(super) fn print_rest(rows: usize, name: impl std::fmt::Display) {
     if rows > PRINTED {
-        say!("and {} more rows in {name}.csv", rows - PRINTED);
+        print_line!("and {} more rows in {name}.csv", rows - PRINTED);
     }
 }
 
 /// Reports which pictures are not drawn, and why.
-pub(super) fn say_undrawn(drawn: Drawn, runs: usize) {
+pub(super) fn print_undrawn(drawn: Drawn, runs: usize) {
     match drawn {
         Drawn::Paths => {}
-        Drawn::Points => say!("no picture of the trajectories: {runs} runs are too many for one"),
-        Drawn::Nothing => say!("no pictures: {runs} runs are too many for one"),
+        Drawn::Points => {
+            print_line!("no picture of the trajectories: {runs} runs are too many for one")
+        }
+        Drawn::Nothing => print_line!("no pictures: {runs} runs are too many for one"),
     }
 }

@@ -6,7 +6,7 @@ use super::shared::{model_options, set_up, sweep_options};
 use crate::arguments::{GeneralArguments, ModelArguments, RunArguments, methods_help};
 use crate::error::CommandError;
 use crate::pictures::{self, Picture};
-use crate::streams::say;
+use crate::streams::print_line;
 use crate::terminal::print_rows;
 use compare::numbers::{Numbers, parse_numbers, parse_whole, rounded, written};
 use compare::output::{OutputFolder, csv_text};
@@ -194,7 +194,7 @@ pub(super) fn trust(
     print_trust(&shares);
     run.out.write("bound-states.csv", &csv_text(&states)?)?;
     run.out.write("trust-examples.csv", &csv_text(&examples)?)?;
-    say!("");
+    print_line!("");
     print_examples(&examples);
     Ok(run.out.account().verdict()?)
 }

@@ -19,7 +19,7 @@ use compare::{Approach, Method};
 use crate::arguments::{EncounterArguments, GeneralArguments, ModelArguments, RunArguments};
 use crate::error::CommandError;
 use crate::report;
-use crate::streams::say;
+use crate::streams::print_line;
 use cost::CostArguments;
 use hard_cases::HardCaseArguments;
 use maps::{MapArguments, TrustArguments};
@@ -164,7 +164,7 @@ pub(crate) fn run(
             let sweep = sweep_options(runs, &methods)?;
             let out = general.output()?;
             let path = report::write(&methods, &options, &sweep, &out, typed)?;
-            say!("{}", path.display());
+            print_line!("{}", path.display());
             Ok(out.account().verdict()?)
         }
     }

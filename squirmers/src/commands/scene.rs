@@ -10,7 +10,7 @@ use scene::{Outcome, Plan, Run};
 
 use crate::arguments::GeneralArguments;
 use crate::error::CommandError;
-use crate::streams::{complain, say};
+use crate::streams::{print_error, print_line};
 use crate::terminal::{print_rows, words};
 use compare::numbers::{rounded, size};
 use compare::scene_run::{self, SampleRow, Summary};
@@ -84,7 +84,7 @@ pub(super) fn run(
     if streamed.is_err() {
         let earlier = scene_run::earlier(&out);
         if !earlier.is_empty() {
-            complain!("files of an earlier run were kept: {}", earlier.join(", "));
+            print_error!("files of an earlier run were kept: {}", earlier.join(", "));
         }
     }
     let (run, rows) = streamed?;
@@ -96,7 +96,7 @@ pub(super) fn run(
     out.write("run.json", &json)?;
     scene_run::forget_earlier(&out)?;
     if arguments.json {
-        say!("{json}");
+        print_line!("{json}");
     } else {
         print_summary(&summary, &run, &rows);
     }
@@ -177,15 +177,15 @@ pub(super) fn explain(
         ),
     ];
     let line = |(name, text): (&str, String)| vec![name.to_owned(), text];
-    say!("{}\n", words(lines.into_iter().map(line)));
+    print_line!("{}\n", words(lines.into_iter().map(line)));
     let header = ["effect", "runs", "why"].map(str::to_owned).to_vec();
     let rows = model.explain(&plan).into_iter().map(|row| {
         let runs = if row.runs { "yes" } else { "no" };
         vec![row.effect.to_owned(), runs.to_owned(), row.reason]
     });
-    say!("{}\n", words([header].into_iter().chain(rows)));
+    print_line!("{}\n", words([header].into_iter().chain(rows)));
     let cost = [vec![cost_in_words(&model, &plan)]];
-    say!("{}", words(cost.into_iter()));
+    print_line!("{}", words(cost.into_iter()));
     Ok(())
 }
 

@@ -12,7 +12,7 @@ use super::maps::METHODS;
 use super::shared::{checked_limits, checked_tolerance, model_options, set_up};
 use crate::arguments::{GeneralArguments, LimitArguments, ModelArguments, methods_help};
 use crate::error::CommandError;
-use crate::streams::{complain, say};
+use crate::streams::{print_error, print_line};
 use crate::terminal::print_rows;
 
 #[derive(Debug, Args)]
@@ -132,13 +132,13 @@ pub(super) fn merge(
     let out = general.output()?;
     let merged = sweep::merge(&arguments.shares, &out)?;
     if merged.arithmetic.len() > 1 {
-        complain!(
+        print_error!(
             "the shares come from {} kinds of arithmetic: last digits may differ from those of one machine \
              (sweep.json names them)",
             merged.arithmetic.len()
         );
     }
-    say!(
+    print_line!(
         "{} rows of {} shares in {}",
         merged.rows,
         merged.shares,

@@ -128,3 +128,13 @@ fn counts_that_are_none_are_named_in_words() {
         refused(&[arguments, &[value]].concat(), &named);
     }
 }
+
+#[test]
+fn values_of_maps_that_are_not_allowed_are_named() {
+    refused(&["scatter", "--grid", "1"], "'1'");
+    refused(&["scatter", "--grid", "-4"], "-4");
+    refused(&["fates", "--g", "nan"], "'nan'");
+    refused(&["fates", "--tol", "0"], "'0.0'");
+    refused(&["scatter", "--beta", "5,x"], "'x'");
+    refused(&["trust", "--method", "lt"], "exact");
+}
