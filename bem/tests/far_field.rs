@@ -109,7 +109,7 @@ fn lone_spheres_are_solved_once_for_each_set_and_only_when_they_are_read() {
 }
 
 /// Beyond the last seam alone: the pairs below come no closer.
-fn table<M: Hydrodynamics>(model: M, tolerance: f64) -> Tabulated<M> {
+fn table(model: impl Hydrodynamics + 'static, tolerance: f64) -> Tabulated {
     let options = TableOptions {
         set: LoadSet::planar(2),
         tolerance,

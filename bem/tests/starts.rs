@@ -19,7 +19,7 @@ use scene::{
 };
 
 /// Tables are as good as their models here: starts next to each other are compared under the same one.
-fn table<M: Hydrodynamics>(model: M) -> Tabulated<M> {
+fn table(model: impl Hydrodynamics + 'static) -> Tabulated {
     let options = TableOptions {
         set: LoadSet::planar(2),
         tolerance: 1e-4,
@@ -28,13 +28,13 @@ fn table<M: Hydrodynamics>(model: M) -> Tabulated<M> {
     Tabulated::build(model, options, &|_| ()).unwrap()
 }
 
-fn exact() -> &'static Tabulated<Exact> {
-    static TABLE: OnceLock<Tabulated<Exact>> = OnceLock::new();
+fn exact() -> &'static Tabulated {
+    static TABLE: OnceLock<Tabulated> = OnceLock::new();
     TABLE.get_or_init(|| table(Exact::new()))
 }
 
-fn by_mesh() -> &'static Tabulated<Bem> {
-    static TABLE: OnceLock<Tabulated<Bem>> = OnceLock::new();
+fn by_mesh() -> &'static Tabulated {
+    static TABLE: OnceLock<Tabulated> = OnceLock::new();
     TABLE.get_or_init(|| table(Bem::new(1).unwrap()))
 }
 

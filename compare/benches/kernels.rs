@@ -21,8 +21,8 @@ fn main() {
 const LN_GAPS: [f64; 8] = [-5.3, -0.2, -3.1, -4.6, -1.7, -0.9, -2.4, -3.9];
 
 /// The table of the exact loads that every bench here reads, built once.
-fn table() -> &'static Tabulated<Exact> {
-    static TABLE: OnceLock<Tabulated<Exact>> = OnceLock::new();
+fn table() -> &'static Tabulated {
+    static TABLE: OnceLock<Tabulated> = OnceLock::new();
     TABLE.get_or_init(|| {
         let options = TableOptions {
             set: LoadSet::all(2),

@@ -1,6 +1,7 @@
 //! Hydrodynamic models as the commands use them: closed forms, tables, or a solve for every load.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Instant;
 
 use bem::Bem;
@@ -80,13 +81,13 @@ impl ModelOptions {
 }
 
 /// A model chosen at run time.
-pub(crate) type AnyModel = Box<dyn Hydrodynamics>;
+pub(crate) type AnyModel = Arc<dyn Hydrodynamics>;
 
 /// The closed form has so quick a right-hand side that it has a compiled loop of its own. Tables and models that solve for
 /// every load share one: a virtual call costs them nothing noticeable.
 enum Kind {
     Lubrication(Lubrication),
-    Table(Box<Tabulated<AnyModel>>),
+    Table(Box<Tabulated>),
     Direct(AnyModel),
     /// A model from outside this workspace.
     Other(&'static dyn Hydrodynamics),
@@ -108,23 +109,23 @@ impl Model {
     pub fn set_up(method: Method, options: &ModelOptions) -> Result<Self, CompareError> {
         let started = Instant::now();
         let kind = match method {
-            Method::Isolated => Kind::Direct(Box::new(Isolated)),
+            Method::Isolated => Kind::Direct(Arc::new(Isolated)),
             Method::Other(other) => Kind::Other(other.hydrodynamics()),
             Method::Lt => Kind::Lubrication(Lubrication::new(Form::Published)),
             Method::LtCorrected => Kind::Lubrication(Lubrication::new(Form::Corrected)),
-            Method::Exact if options.direct => Kind::Direct(Box::new(Exact::new())),
+            Method::Exact if options.direct => Kind::Direct(Arc::new(Exact::new())),
             Method::Exact => {
                 let spec = (EXACT_TABLE_FROM, EXACT_TABLE_TOLERANCE);
-                let table = tabulate(Box::new(Exact::new()), method, spec, options)?;
+                let table = tabulate(Arc::new(Exact::new()), method, spec, options)?;
                 Kind::Table(Box::new(table))
             }
             Method::Bem => {
                 let bem = Bem::new(options.mesh)?;
                 if options.direct {
-                    Kind::Direct(Box::new(bem))
+                    Kind::Direct(Arc::new(bem))
                 } else {
                     let spec = (bem.range().smallest, BEM_TABLE_TOLERANCE);
-                    let table = tabulate(Box::new(bem), method, spec, options)?;
+                    let table = tabulate(Arc::new(bem), method, spec, options)?;
                     Kind::Table(Box::new(table))
                 }
             }
@@ -307,7 +308,7 @@ fn tabulate(
     method: Method,
     (smallest_gap, tolerance): (f64, f64),
     options: &ModelOptions,
-) -> Result<Tabulated<AnyModel>, CompareError> {
+) -> Result<Tabulated, CompareError> {
     let table = TableOptions {
         set: options.tabulated,
         tolerance,

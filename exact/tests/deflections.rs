@@ -10,8 +10,8 @@ use scene::{
     Squirmer, TableOptions, Tabulated, run_plan,
 };
 
-fn table() -> &'static Tabulated<Exact> {
-    static TABLE: OnceLock<Tabulated<Exact>> = OnceLock::new();
+fn table() -> &'static Tabulated {
+    static TABLE: OnceLock<Tabulated> = OnceLock::new();
     TABLE.get_or_init(|| {
         let options = TableOptions {
             set: LoadSet::all(2),

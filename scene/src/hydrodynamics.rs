@@ -1,5 +1,7 @@
 //! What a hydrodynamic model is: a function from the gap to the loads of the pair.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use crate::{Gap, LoadSet, PairLoads, SceneError, SwirlLoads};
@@ -162,9 +164,8 @@ pub trait Hydrodynamics: Send + Sync {
     }
 }
 
-/// A model behind a pointer, for callers that choose it at run time: what it costs to find the function is
-/// nothing beside a solve. Loops over a closed form or a table take the model itself.
-impl<H: Hydrodynamics + ?Sized> Hydrodynamics for Box<H> {
+/// A model that several callers share.
+impl<H: Hydrodynamics + ?Sized> Hydrodynamics for Arc<H> {
     fn description(&self) -> ModelDescription<'_> {
         self.as_ref().description()
     }

@@ -1,5 +1,7 @@
 //! The tables that are measured, with the time to build each.
 
+use std::sync::Arc;
+
 use std::time::Instant;
 
 use bem::Bem;
@@ -28,7 +30,7 @@ pub(super) struct Built {
     pub(super) name: String,
     /// Level of the boundary elements; 0 for the series.
     pub(super) level: usize,
-    pub(super) table: Tabulated<AnyModel>,
+    pub(super) table: Tabulated,
     pub(super) tolerance: f64,
     pub(super) seconds: f64,
 }
@@ -51,7 +53,7 @@ impl Tables {
             } else {
                 SMALLEST_GAP
             };
-            build(Box::new(Exact::new()), 0, tolerance, from)
+            build(Arc::new(Exact::new()), 0, tolerance, from)
         });
         let mut bem = Vec::new();
         for (number, &level) in options.table_levels().iter().enumerate() {
@@ -62,7 +64,7 @@ impl Tables {
             };
             for &tolerance in &BEM_TOLERANCES[from..] {
                 bem.push(build(
-                    Box::new(Bem::new(level)?),
+                    Arc::new(Bem::new(level)?),
                     level,
                     tolerance,
                     SMALLEST_GAP,
@@ -81,7 +83,7 @@ impl Tables {
     }
 
     /// The reference table: it replaces the exact series when errors of deflections are measured.
-    pub(super) fn referee(&self) -> &Tabulated<AnyModel> {
+    pub(super) fn referee(&self) -> &Tabulated {
         &self.exact[EXACT_TOLERANCES.len() - 1].table
     }
 

@@ -1,5 +1,6 @@
 //! Building a table: adaptively, in parallel, to a tolerance or the model's noise.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
@@ -50,8 +51,8 @@ impl Coordinate {
     }
 }
 
-struct Builder<'a, M> {
-    model: &'a M,
+struct Builder<'a> {
+    model: &'a dyn Hydrodynamics,
     options: TableOptions,
     /// The tolerance asked for or the model's noise, whichever is larger.
     target: f64,
@@ -59,14 +60,22 @@ struct Builder<'a, M> {
     tally: Tally<'a>,
 }
 
-impl<M: Hydrodynamics> Tabulated<M> {
+impl Tabulated {
     /// Tabulates `model`; `progress` is told how far it is.
     ///
     /// # Errors
     /// Those of the model; [`SceneError::NotPositive`] for a tolerance or smallest gap that is not
     /// positive; [`SceneError::TooManyModes`].
     pub fn build(
-        model: M,
+        model: impl Hydrodynamics + 'static,
+        options: TableOptions,
+        progress: &(dyn Fn(BuildProgress) + Sync),
+    ) -> Result<Self, SceneError> {
+        Self::of(Arc::new(model), options, progress)
+    }
+
+    fn of(
+        model: Arc<dyn Hydrodynamics>,
         options: TableOptions,
         progress: &(dyn Fn(BuildProgress) + Sync),
     ) -> Result<Self, SceneError> {
@@ -94,7 +103,7 @@ impl<M: Hydrodynamics> Tabulated<M> {
         };
         let target = noise.max(options.tolerance);
         let builder = Builder {
-            model: &model,
+            model: model.as_ref(),
             options,
             target,
             evaluations: AtomicUsize::new(0),
@@ -133,7 +142,7 @@ impl<M: Hydrodynamics> Tabulated<M> {
     }
 }
 
-impl<M: Hydrodynamics> Builder<'_, M> {
+impl Builder<'_> {
     /// The pieces between consecutive `ends`, and their largest interpolation error.
     fn region(
         &self,

@@ -6,6 +6,7 @@
 
 use std::io::Write;
 use std::path::Path;
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 use tempfile::NamedTempFile;
@@ -22,7 +23,7 @@ struct Kept {
     table: Table,
 }
 
-impl<M: Hydrodynamics> Tabulated<M> {
+impl Tabulated {
     /// The table of `model` kept in `folder`, or else built as [`Self::build`] does and kept there.
     ///
     /// A folder that cannot be read or written only costs the keeping.
@@ -30,7 +31,7 @@ impl<M: Hydrodynamics> Tabulated<M> {
     /// # Errors
     /// As [`Self::build`].
     pub fn load_or_build(
-        model: M,
+        model: impl Hydrodynamics + 'static,
         options: TableOptions,
         folder: &Path,
         progress: &(dyn Fn(BuildProgress) + Sync),
@@ -38,6 +39,7 @@ impl<M: Hydrodynamics> Tabulated<M> {
         let key = format!("{FORMAT}; {}; {options:?}", model.fingerprint());
         let path = folder.join(format!("{:08x}.table", crc32fast::hash(key.as_bytes())));
         if let Some(table) = load(&path, &key) {
+            let model = Arc::new(model);
             return Ok(Self { model, table });
         }
         let built = Self::build(model, options, progress)?;

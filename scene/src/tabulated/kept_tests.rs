@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::tests::Made;
 use super::*;
 
-fn cached(model: Made, folder: &Path) -> (Tabulated<Made>, bool) {
+fn cached(model: Made, folder: &Path) -> (Tabulated, bool) {
     let options = TableOptions {
         set: LoadSet::all(2),
         tolerance: 1e-8,

@@ -18,6 +18,9 @@ mod tally;
 pub use build::TableOptions;
 pub use tally::BuildProgress;
 
+use std::fmt;
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use self::parts::Parts;
@@ -75,10 +78,19 @@ impl Piece {
 }
 
 /// A model tabulated over its whole range.
-#[derive(Clone, Debug)]
-pub struct Tabulated<M> {
-    model: M,
+#[derive(Clone)]
+pub struct Tabulated {
+    model: Arc<dyn Hydrodynamics>,
     table: Table,
+}
+
+impl fmt::Debug for Tabulated {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        (f.debug_struct("Tabulated"))
+            .field("model", &self.model.fingerprint())
+            .field("table", &self.table)
+            .finish()
+    }
 }
 
 /// What is worked out for a table, and kept on disk.
@@ -93,10 +105,10 @@ struct Table {
     summary: TableSummary,
 }
 
-impl<M> Tabulated<M> {
+impl Tabulated {
     /// The model behind the table.
-    pub fn model(&self) -> &M {
-        &self.model
+    pub fn model(&self) -> &dyn Hydrodynamics {
+        self.model.as_ref()
     }
 
     /// The loads that it has columns for.
@@ -198,7 +210,7 @@ macro_rules! with_layout {
     };
 }
 
-impl<M: Hydrodynamics> Hydrodynamics for Tabulated<M> {
+impl Hydrodynamics for Tabulated {
     /// The model's, but for the noise, which is the interpolation error.
     fn description(&self) -> ModelDescription<'_> {
         ModelDescription {

@@ -1,3 +1,5 @@
+use std::sync::Arc;
+
 use super::*;
 use crate::SelfOther;
 use approx::assert_relative_eq;
@@ -64,7 +66,7 @@ impl Hydrodynamics for Made {
     }
 }
 
-fn table(seam: Option<f64>, noise: f64, tolerance: f64) -> Tabulated<Made> {
+fn table(seam: Option<f64>, noise: f64, tolerance: f64) -> Tabulated {
     let options = TableOptions {
         set: LoadSet::all(2),
         tolerance,
@@ -228,7 +230,7 @@ fn a_table_of_part_of_the_loads_holds_that_part_alone() {
             tolerance: 1e-5,
             smallest_gap: 1e-3,
         };
-        let part = Tabulated::build(whole.model().clone(), options, &|_| ()).unwrap();
+        let part = Tabulated::build(Arc::clone(&whole.model), options, &|_| ()).unwrap();
         for piece in part.table.near.iter().chain(&part.table.far) {
             assert_eq!(piece.pair.columns, set.column_count());
             assert_eq!(piece.swirl.columns, 0);
@@ -293,7 +295,7 @@ pub(super) fn table_that_says(
     cutoff: Option<f64>,
     seam: Option<f64>,
     progress: &(dyn Fn(BuildProgress) + Sync),
-) -> Tabulated<impl Hydrodynamics + use<>> {
+) -> Tabulated {
     let options = TableOptions {
         set: LoadSet::all(2),
         tolerance: 1e-8,
