@@ -10,7 +10,8 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::{Complex, Matrix3};
 
 use super::Outcome;
-use super::coordinates::{Coordinates, Planar};
+use super::chart::Chart as _;
+use super::coordinates::Planar;
 use super::equations::{Absent, PairMotion, Present};
 use super::outcome::{AT_REST, judge_rates};
 use super::steady::{Newton, fixed_point};
@@ -135,7 +136,7 @@ fn bound_state_near<H: Hydrodynamics + ?Sized>(
     motion: &mut PlanarMotion<'_, H>,
     y: &[f64; 6],
 ) -> Option<BoundState> {
-    let relative = Planar::RELATIVE?;
+    let relative = motion.coordinates.relative()?;
     let dy = motion.called(0.0, y);
     let (y, dy, gradients) = fixed_point(motion, 0.0, (y, &dy), relative, FROM_AFAR)?;
     let &[gap, one, two] = relative.variables else {

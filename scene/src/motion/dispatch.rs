@@ -1,9 +1,8 @@
 //! From a plan to the one equation of motion that is compiled for it.
 
-use super::coordinates::{Coordinates, Planar, Spatial};
-use super::equations::{Absent, Effect, PairMotion, Present};
+use super::coordinates::{Axisymmetric, MirrorSymmetric, Planar, PointSymmetric, Spatial};
+use super::equations::{Absent, Dynamics, Effect, PairMotion, Present};
 use super::swirling::Swirl;
-use super::symmetric::{Axisymmetric, MirrorSymmetric, PointSymmetric};
 use crate::{Gravity, Hydrodynamics, Plan, Repulsion, State};
 
 /// What is done with an equation of motion.
@@ -17,7 +16,7 @@ pub(super) trait Task: Sized {
     ) -> Self::Output
     where
         H: Hydrodynamics + ?Sized,
-        C: Coordinates<N>,
+        C: Dynamics<N>,
         R: Effect<Repulsion>,
         G: Effect<Gravity>;
 }
@@ -57,7 +56,7 @@ fn with_gravity<H, C, T, const N: usize>(
 ) -> T::Output
 where
     H: Hydrodynamics + ?Sized,
-    C: Coordinates<N>,
+    C: Dynamics<N>,
     T: Task,
 {
     match plan.gravity_in_frame() {
@@ -75,7 +74,7 @@ fn with_repulsion<H, C, T, G, const N: usize>(
 ) -> T::Output
 where
     H: Hydrodynamics + ?Sized,
-    C: Coordinates<N>,
+    C: Dynamics<N>,
     T: Task,
     G: Effect<Gravity>,
 {

@@ -1,9 +1,9 @@
 //! The equation of motion: loads, balance and kinematics put together.
 
-use super::coordinates::Coordinates;
-use crate::balance::{External, Heading};
+use super::chart::Chart;
+use crate::balance::{External, Heading, PairVelocity, Transverse, pair_velocity};
 use crate::ode::System;
-use crate::{Gap, Gravity, Hydrodynamics, LoadSet, Repulsion, SceneError, Squirmer};
+use crate::{Gap, Gravity, Hydrodynamics, LoadSet, PairLoads, Repulsion, SceneError, Squirmer};
 
 /// An effect that the compiler knows to be there or not, so that an absent one leaves no trace.
 pub(crate) trait Effect<T>: Copy {
@@ -33,6 +33,66 @@ impl<T: Copy> Effect<T> for Present<T> {
     }
 }
 
+/// The equation of motion in coordinates of dimension `N`.
+pub(crate) trait Dynamics<const N: usize>: Chart<N> + Copy {
+    /// What is perpendicular to the line of centres.
+    type Across: Transverse;
+    /// Whether headings take sines.
+    const SINES: bool = true;
+
+    /// Orientations in the pair frame.
+    fn headings(&self, y: &[f64; N]) -> [Heading<Self::Across>; 2];
+    /// Torques of gravity as `T x d`, per `pi mu a^2`.
+    fn gravity_torques(
+        &self,
+        y: &[f64; N],
+        gravity: Gravity,
+        squirmers: &[Squirmer; 2],
+    ) -> [Self::Across; 2];
+    /// Time derivative of the state at an instant, by its headings and the loads of its model.
+    ///
+    /// # Errors
+    /// The model's.
+    #[inline(always)]
+    fn motion<H, G>(
+        &self,
+        y: &[f64; N],
+        headings: &[Heading<Self::Across>; 2],
+        at: &Instant<'_, H, G>,
+    ) -> Result<[f64; N], SceneError>
+    where
+        H: Hydrodynamics + ?Sized,
+        G: Effect<Gravity>,
+    {
+        derivative(self, y, headings, at)
+    }
+    /// Velocity of the pair without swirl.
+    #[inline(always)]
+    fn velocity(
+        gap: Gap,
+        loads: &PairLoads,
+        squirmers: &[Squirmer; 2],
+        headings: &[Heading<Self::Across>; 2],
+        external: &External<Self::Across>,
+    ) -> PairVelocity<Self::Across> {
+        pair_velocity(gap, loads, squirmers, headings, external)
+    }
+    /// Time derivative of the state for a velocity of the pair.
+    fn derivative(&self, y: &[f64; N], velocity: &PairVelocity<Self::Across>) -> [f64; N];
+    /// What gravity adds to [`Self::derivative`]: spin about the line of centres. Nothing in a plane, to which
+    /// its torques are perpendicular.
+    #[inline]
+    fn add_axial_spin(
+        &self,
+        _y: &[f64; N],
+        _dy: &mut [f64; N],
+        _loads: &PairLoads,
+        _gravity: Gravity,
+        _squirmers: &[Squirmer; 2],
+    ) {
+    }
+}
+
 /// Right-hand side of a pair's motion in the coordinates `C`.
 pub(crate) struct PairMotion<'a, H: ?Sized, C, R, G> {
     pub model: &'a H,
@@ -53,7 +113,7 @@ pub(crate) struct PairMotion<'a, H: ?Sized, C, R, G> {
 impl<H, C, R, G, const N: usize> System<N> for PairMotion<'_, H, C, R, G>
 where
     H: Hydrodynamics + ?Sized,
-    C: Coordinates<N>,
+    C: Dynamics<N>,
     R: Effect<Repulsion>,
     G: Effect<Gravity>,
 {
@@ -84,12 +144,12 @@ where
     #[inline(always)]
     fn evaluate<const N: usize>(&mut self, y: &[f64; N], set: LoadSet) -> [f64; N]
     where
-        C: Coordinates<N>,
+        C: Dynamics<N>,
     {
         // Sines come first: they wait for nothing and overlap with the gap's exponential and the repulsion's. Headings
         // without sines come last: over those calls they would have to be put aside.
         let sines = C::SINES.then(|| self.coordinates.headings(y));
-        let gap = Gap::from_ln(y[C::LN_GAP]);
+        let gap = Gap::from_ln(y[self.coordinates.ln_gap()]);
         self.loads += 1;
         let instant = self.instant(gap, gap, set);
         let headings = sines.unwrap_or_else(|| self.coordinates.headings(y));
@@ -119,10 +179,10 @@ where
     #[inline(never)]
     fn refused<const N: usize>(&mut self, y: &[f64; N], error: SceneError) -> [f64; N]
     where
-        C: Coordinates<N>,
+        C: Dynamics<N>,
     {
         self.failure = Some(error);
-        let gap = Gap::from_ln(y[C::LN_GAP]);
+        let gap = Gap::from_ln(y[self.coordinates.ln_gap()]);
         let smallest = self.model.range().smallest;
         let end = Gap::new(smallest).ok();
         let Some(end) = end.filter(|_| self.held_below_range && gap.eps() < smallest) else {
@@ -150,7 +210,7 @@ pub(crate) struct Instant<'a, H: ?Sized, G> {
 impl<H: ?Sized, G: Effect<Gravity>> Instant<'_, H, G> {
     /// Loads of other than hydrodynamic origin.
     #[inline(always)]
-    pub fn external<C: Coordinates<N>, const N: usize>(
+    pub fn external<C: Dynamics<N>, const N: usize>(
         &self,
         coordinates: &C,
         y: &[f64; N],
@@ -176,7 +236,7 @@ pub(super) fn derivative<H, C, G, const N: usize>(
 ) -> Result<[f64; N], SceneError>
 where
     H: Hydrodynamics + ?Sized,
-    C: Coordinates<N>,
+    C: Dynamics<N>,
     G: Effect<Gravity>,
 {
     // Matched by reference: the loads are too large to be moved about.

@@ -1,6 +1,7 @@
 //! The motion of a pair: from a scene and a hydrodynamic model to a trajectory and its outcome.
 
 mod bound;
+mod chart;
 mod configuration;
 mod coordinates;
 mod dispatch;
@@ -8,6 +9,7 @@ mod equations;
 mod far_turn;
 mod floor;
 mod free_flight;
+mod moving;
 mod outcome;
 mod plane;
 mod rates;
@@ -16,7 +18,6 @@ mod result;
 mod run;
 mod steady;
 mod swirling;
-mod symmetric;
 mod watch;
 
 pub use bound::{BoundState, bound_states};

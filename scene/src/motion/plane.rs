@@ -8,8 +8,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
+use super::chart::direction;
 use super::configuration::{Configuration, Rates, unwind};
-use super::coordinates::direction;
 use crate::{Gravity, Scene};
 
 /// A plane with its frame.

@@ -3,9 +3,8 @@
 use std::hint::black_box;
 
 use super::configuration::{Configuration, Rates};
-use super::coordinates::Coordinates;
 use super::dispatch::{Task, dispatch};
-use super::equations::{Effect, PairMotion};
+use super::equations::{Dynamics, Effect, PairMotion};
 use crate::ode::System;
 use crate::{Gravity, Hydrodynamics, Plan, Repulsion, SceneError};
 
@@ -60,7 +59,7 @@ impl Task for Evaluation<'_> {
     ) -> Self::Output
     where
         H: Hydrodynamics + ?Sized,
-        C: Coordinates<N>,
+        C: Dynamics<N>,
         R: Effect<Repulsion>,
         G: Effect<Gravity>,
     {

@@ -12,10 +12,10 @@ mod outgoing;
 use self::flight::Flown;
 use self::outgoing::Outgoing;
 use super::configuration::Configuration;
-use super::coordinates::Coordinates;
 use super::dispatch::{Task, dispatch};
-use super::equations::{Effect, PairMotion};
+use super::equations::{Dynamics, Effect, PairMotion};
 use super::floor::Floor;
+use super::moving::Moving;
 use super::outcome::{Outcome, Righting, judge_steady};
 use super::recorder::Recorder;
 use super::result::{Counters, Run, RunOptions, Sample};
@@ -126,11 +126,20 @@ impl Task for Observed<'_, '_> {
     ) -> Self::Output
     where
         H: Hydrodynamics + ?Sized,
-        C: Coordinates<N>,
+        C: Dynamics<N>,
         R: Effect<Repulsion>,
         G: Effect<Gravity>,
     {
-        Runner::new(plan, motion, self).run()
+        let mut motion = PairMotion {
+            held_below_range: true,
+            ..motion
+        };
+        let model = ModelEnds {
+            floor: Floor::of(motion.model),
+            cutoff: motion.model.cutoff(),
+            free_flight_beyond: plan.free_flight_beyond(motion.model),
+        };
+        Runner::new(plan, &mut motion, model, self).run()
     }
 }
 
@@ -146,13 +155,21 @@ enum PhaseEnd {
     Time,
 }
 
-struct Runner<'a, 'b, H: ?Sized, C, R, G, const N: usize> {
-    plan: &'a Plan,
+/// Where a model ends.
+struct ModelEnds {
+    floor: Floor,
+    cutoff: Option<f64>,
+    free_flight_beyond: Option<f64>,
+}
+
+struct Runner<'a, 'b, const N: usize> {
     options: &'a RunOptions,
-    motion: PairMotion<'a, H, C, R, G>,
+    motion: &'a mut dyn Moving<N>,
+    /// Index of `ln eps` in the state.
+    ln_gap: usize,
+    model: ModelEnds,
     recorder: Recorder<'a, 'b>,
     watch: Watch,
-    floor: Floor,
     start: Configuration,
     t: f64,
     now: Configuration,
@@ -163,24 +180,22 @@ struct Runner<'a, 'b, H: ?Sized, C, R, G, const N: usize> {
     unit_drift: f64,
 }
 
-impl<'a, 'b, H, C, R, G, const N: usize> Runner<'a, 'b, H, C, R, G, N>
-where
-    H: Hydrodynamics + ?Sized,
-    C: Coordinates<N>,
-    R: Effect<Repulsion>,
-    G: Effect<Gravity>,
-{
-    fn new(plan: &'a Plan, mut motion: PairMotion<'a, H, C, R, G>, task: Observed<'a, 'b>) -> Self {
-        motion.held_below_range = true;
-        let start = motion.coordinates.restored(plan.start_in_frame());
-        let righting = (motion.gravity.get()).map(|g| Righting::new(g, &motion.squirmers));
+impl<'a, 'b, const N: usize> Runner<'a, 'b, N> {
+    fn new(
+        plan: &Plan,
+        motion: &'a mut dyn Moving<N>,
+        model: ModelEnds,
+        task: Observed<'a, 'b>,
+    ) -> Self {
+        let start = motion.chart().restored(plan.start_in_frame());
+        let righting = (motion.gravity()).map(|g| Righting::new(g, motion.squirmers()));
         Self {
-            plan,
             options: task.options,
             recorder: Recorder::new(task.options.sample_interval, task.observe),
             watch: Watch::new(righting, task.options.end_time),
-            floor: Floor::of(motion.model),
+            ln_gap: motion.chart().ln_gap(),
             motion,
+            model,
             start,
             t: 0.0,
             now: start,
@@ -193,22 +208,25 @@ where
     }
 
     fn run(mut self) -> Result<Run, SceneError> {
-        self.check_start()?;
+        // A start beyond the range is left to the right-hand side.
+        if self.start.gap < self.model.floor.gap {
+            self.motion.check_gap(self.start.gap)?;
+        }
         self.recorder.record(0.0, self.now);
-        let outcome = match self.plan.free_flight_beyond(self.motion.model) {
+        let outcome = match self.model.free_flight_beyond {
             Some(cutoff) => self.run_with_cutoff(cutoff)?,
             None => self.run_without_cutoff()?,
         };
         self.recorder.record(self.t, self.now);
         // Beyond a cut, and under gravity, there is no far field to wait for.
-        let cut = self.motion.model.cutoff().is_some();
-        let goes_on = outcome == Outcome::Scattered && !cut && self.motion.gravity.get().is_none();
+        let cut = self.model.cutoff.is_some();
+        let goes_on = outcome == Outcome::Scattered && !cut && self.motion.gravity().is_none();
         let outgoing = if goes_on {
             self.fly_out()?
         } else {
             Outgoing::at_end(self.now)
         };
-        self.counters.loads = self.motion.loads;
+        self.counters.loads = self.motion.loads();
         Ok(Run {
             start: self.start,
             end: self.now,
@@ -225,21 +243,9 @@ where
         })
     }
 
-    /// Refuses a start below the range of the model, in the model's own words where it has some.
-    fn check_start(&self) -> Result<(), SceneError> {
-        let (model, gap) = (self.motion.model, self.start.gap);
-        if gap.eps() >= model.range().smallest {
-            return Ok(());
-        }
-        model.range().check(gap).or_else(|error| {
-            model.interacting_loads(gap, self.motion.set)?;
-            Err(error)
-        })
-    }
-
     fn run_without_cutoff(&mut self) -> Result<Outcome, SceneError> {
         // Under gravity squirmers turn and may meet again: only time ends such a run.
-        let departure = match self.motion.gravity.get() {
+        let departure = match self.motion.gravity() {
             Some(_) => None,
             None => Some(Gap::new(self.options.departure_distance - 2.0)?),
         };
@@ -280,7 +286,7 @@ where
     fn judge_bound(&self) -> Outcome {
         let speeds = self
             .motion
-            .squirmers
+            .squirmers()
             .iter()
             .map(|s| s.swimming_speed().abs());
         self.watch
@@ -296,18 +302,18 @@ where
         let (y, mut stepper) = self.stepper(end_time)?;
         let tolerance = self.options.tolerance;
         let beyond = |ln_gap: f64| parting.is_some_and(|parting| ln_gap >= parting.ln());
-        if beyond(y[C::LN_GAP]) && stepper.dy()[C::LN_GAP] > 0.0 {
+        if beyond(y[self.ln_gap]) && stepper.dy()[self.ln_gap] > 0.0 {
             return Ok(PhaseEnd::Parted);
         }
-        if y[C::LN_GAP] <= self.floor.gap.ln() && stepper.dy()[C::LN_GAP] < 0.0 {
-            return Ok(PhaseEnd::Closed(self.floor.outcome));
+        if y[self.ln_gap] <= self.model.floor.gap.ln() && stepper.dy()[self.ln_gap] < 0.0 {
+            return Ok(PhaseEnd::Closed(self.model.floor.outcome));
         }
         let mut attempts = Attempts::new(tolerance);
         let end = loop {
-            let step = stepper.step(&mut self.motion, end_time);
+            let step = self.motion.step(&mut stepper, end_time);
             let step = step.map_err(|error| self.failure(error))?;
             // What a trial step was refused for is no cause of what comes later.
-            self.motion.failure = None;
+            self.motion.take_failure();
             let ended = self.follow(&step, parting);
             if let Some(end) = ended.map_err(|error| self.failure(error))? {
                 break end;
@@ -326,9 +332,9 @@ where
     /// A stepper from the present configuration to `end_time`, with the state of that configuration and the steps
     /// that are left.
     fn stepper(&mut self, end_time: f64) -> Result<([f64; N], Stepper<N>), SceneError> {
-        let y = self.motion.coordinates.encode(&self.now);
+        let y = self.motion.chart().encode(&self.now);
         let tolerance = self.options.tolerance;
-        let stepper = Stepper::new(&mut self.motion, self.t, y, tolerance, end_time);
+        let stepper = Stepper::new(self.motion, self.t, y, tolerance, end_time);
         let taken = (self.counters.steps + self.counters.rejected) as usize;
         let left = self.options.max_steps.saturating_sub(taken);
         let stepper = stepper.map_err(|error| self.failure(error))?;
@@ -343,22 +349,23 @@ where
 
     /// If a step ends at a steady state that holds, carries the pair on to the end time.
     fn settle(&mut self, step: &Step<N>, attempts: &mut Attempts) -> Option<Outcome> {
-        let relative = C::RELATIVE.filter(|_| self.motion.gravity.get().is_none())?;
-        if step.y1[C::LN_GAP] > CONTACT_GAP.ln() {
+        let relative = self.motion.chart().relative();
+        let relative = relative.filter(|_| self.motion.gravity().is_none())?;
+        if step.y1[self.ln_gap] > CONTACT_GAP.ln() {
             return None;
         }
         let last = (&step.y1, &step.dy1);
-        let (y, dy) = steady_state(&mut self.motion, self.t, last, relative, attempts)?;
-        if y[C::LN_GAP] < self.floor.gap.ln() {
+        let (y, dy) = steady_state(self.motion, self.t, last, relative, attempts)?;
+        if y[self.ln_gap] < self.model.floor.gap.ln() {
             return None;
         }
         let (from, left) = (self.t, self.options.end_time - self.t);
-        let coordinates = self.motion.coordinates;
-        let earlier = coordinates.decode(&y, &self.now);
-        let end = coordinates.decode(&coordinates.carried_on(&y, &dy, left)?, &earlier);
+        let chart = self.motion.chart();
+        let earlier = chart.decode(&y, &self.now);
+        let end = chart.decode(&chart.carried_on(&y, &dy, left)?, &earlier);
         self.recorder.record_between(self.options.end_time, |t| {
-            let carried = coordinates.carried_on(&y, &dy, t - from).unwrap_or(y);
-            coordinates.decode(&carried, &earlier)
+            let carried = chart.carried_on(&y, &dy, t - from).unwrap_or(y);
+            chart.decode(&carried, &earlier)
         });
         self.min_gap = self.min_gap.min(end.gap.eps());
         self.contact_time += left;
@@ -370,7 +377,7 @@ where
 
     /// The stepper's error, or the model's that caused it.
     fn failure(&mut self, error: OdeError) -> SceneError {
-        let failure = self.motion.failure.take();
+        let failure = self.motion.take_failure();
         failure.unwrap_or(SceneError::Stepper { source: error })
     }
 }

@@ -81,7 +81,7 @@ pub(crate) struct Relative {
 /// gains while the rest decays, to first order.
 ///
 /// After an attempt that found none the next is made when the rate of change has fallen tenfold.
-pub(crate) fn steady_state<S: System<N>, const N: usize>(
+pub(crate) fn steady_state<S: System<N> + ?Sized, const N: usize>(
     system: &mut S,
     t: f64,
     (y, dy): (&[f64; N], &[f64; N]),
@@ -122,7 +122,7 @@ pub(super) struct Newton {
 pub(super) type FixedPoint<const N: usize> = ([f64; N], [f64; N], Matrix4x3<f64>);
 
 /// The fixed point near the state `y`, by Newton's method.
-pub(super) fn fixed_point<S: System<N>, const N: usize>(
+pub(super) fn fixed_point<S: System<N> + ?Sized, const N: usize>(
     system: &mut S,
     t: f64,
     (y, dy): (&[f64; N], &[f64; N]),
@@ -154,7 +154,7 @@ pub(super) fn fixed_point<S: System<N>, const N: usize>(
 
 /// Gradients of the rates of the relative variables (the Jacobian, in the first three rows) and of
 /// the rate of the driven variable (in the last), by central differences.
-fn gradients<S: System<N>, const N: usize>(
+fn gradients<S: System<N> + ?Sized, const N: usize>(
     system: &mut S,
     t: f64,
     y: &[f64; N],

@@ -3,8 +3,8 @@
 
 use nalgebra::Vector3;
 
-use super::coordinates::{Coordinates, Spatial, along_line, spin_about};
-use super::equations::{Effect, Instant};
+use super::coordinates::{Spatial, along_line, spin_about};
+use super::equations::{Dynamics as _, Effect, Instant};
 use crate::balance::{Heading, axial_spin_by_swirl, pair_velocity_with_swirl};
 use crate::{Gravity, Hydrodynamics, SceneError};
 

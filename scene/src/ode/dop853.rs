@@ -48,7 +48,7 @@ impl<const N: usize> Stepper<N> {
     /// # Errors
     /// [`OdeError::InvalidTolerance`] unless `tol` is positive and finite;
     /// [`OdeError::NotFinite`] if the state or its derivative is not.
-    pub fn new<S: System<N>>(
+    pub fn new<S: System<N> + ?Sized>(
         system: &mut S,
         t: f64,
         y: [f64; N],
@@ -86,7 +86,7 @@ impl<const N: usize> Stepper<N> {
     /// # Errors
     /// [`OdeError::NotFinite`] if the state or its derivative is not; the stepper then stays where
     /// it was.
-    pub fn restart_at<S: System<N>>(
+    pub fn restart_at<S: System<N> + ?Sized>(
         &mut self,
         system: &mut S,
         t: f64,
@@ -111,7 +111,11 @@ impl<const N: usize> Stepper<N> {
     /// [`OdeError::EmptyInterval`] if `t_end` is the present time or NaN,
     /// [`OdeError::StepTooSmall`] and [`OdeError::TooManySteps`] if no step is found. The stepper
     /// then stays where it was.
-    pub fn step<S: System<N>>(&mut self, system: &mut S, t_end: f64) -> Result<Step<N>, OdeError> {
+    pub fn step<S: System<N> + ?Sized>(
+        &mut self,
+        system: &mut S,
+        t_end: f64,
+    ) -> Result<Step<N>, OdeError> {
         let (t, left) = (self.t, t_end - self.t);
         if left.is_nan() || left.abs() <= 0.0 {
             return Err(OdeError::EmptyInterval { t, t_end });
@@ -162,7 +166,7 @@ impl<const N: usize> Stepper<N> {
     }
 
     /// First step from the sizes of the state and of its first two derivatives, sec. II.4.
-    fn first_step<S: System<N>>(&mut self, system: &mut S, t_end: f64) -> f64 {
+    fn first_step<S: System<N> + ?Sized>(&mut self, system: &mut S, t_end: f64) -> f64 {
         let left = t_end - self.t;
         let scaled = |v: &[f64; N]| {
             (v.iter().zip(&self.y))

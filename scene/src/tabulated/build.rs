@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use super::chebyshev::{MAX_DEGREE, coefficients, points, tail, variation};
+use super::chebyshev::{FIRST_DEGREE, MAX_DEGREE, coefficients, points, tail, variation};
 use super::parts::Parts;
 use super::tally::{ESTIMATES, Tally};
 use super::{BuildProgress, FAR_GAP, Piece, Table, TableLimit, TableSummary, Tabulated};
@@ -22,9 +22,6 @@ pub struct TableOptions {
     /// is larger.
     pub smallest_gap: f64,
 }
-
-/// Degree at which the search begins.
-pub(super) const FIRST_DEGREE: usize = 4;
 
 /// Share of the interpolation error that the parts of a piece may add.
 const PARTS_ACCURACY: f64 = 1e-3;

@@ -2,6 +2,9 @@
 
 use std::f64::consts::PI;
 
+/// Degree at which the search for one begins.
+pub(crate) const FIRST_DEGREE: usize = 4;
+
 /// Highest degree of a piece.
 pub(crate) const MAX_DEGREE: usize = 32;
 

@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use super::build::FIRST_DEGREE;
+use super::chebyshev::FIRST_DEGREE;
 
 /// How far the building of a table is, in gaps at which the model is asked: the points of the interpolants, and
 /// those at which its error is estimated.

@@ -4,9 +4,10 @@ use std::f64::consts::PI;
 
 use nalgebra::Vector3;
 
-use super::{Coordinates, direction};
 use crate::balance::{Heading, PairVelocity};
+use crate::motion::chart::{Chart, direction};
 use crate::motion::configuration::{Configuration, Rates};
+use crate::motion::equations::Dynamics;
 use crate::motion::steady::Relative;
 use crate::{Gap, Gravity, Squirmer};
 
@@ -21,13 +22,18 @@ pub(crate) struct Planar {
 
 const THETA: usize = 2;
 
-impl Coordinates<6> for Planar {
-    type Across = f64;
-    const LN_GAP: usize = 3;
-    const RELATIVE: Option<Relative> = Some(Relative {
-        variables: &[3, 4, 5],
-        driven: THETA,
-    });
+impl Chart<6> for Planar {
+    #[inline]
+    fn ln_gap(&self) -> usize {
+        3
+    }
+
+    fn relative(&self) -> Option<Relative> {
+        Some(Relative {
+            variables: &[3, 4, 5],
+            driven: THETA,
+        })
+    }
 
     fn encode(&self, c: &Configuration) -> [f64; 6] {
         let theta = c.line_angle_rad;
@@ -48,6 +54,41 @@ impl Coordinates<6> for Planar {
             angles_rad: angles,
         }
     }
+
+    fn carried_on(&self, y: &[f64; 6], dy: &[f64; 6], t: f64) -> Option<[f64; 6]> {
+        let turned = dy[THETA] * t;
+        let (half, quarter) = (0.5 * turned, 0.5 * turned * 0.5 * turned);
+        // sin(h)/h, the chord of the circle over its arc.
+        let chord = if half.abs() < 1e-4 {
+            1.0 - quarter / 6.0
+        } else {
+            half.sin() / half
+        };
+        // The velocity half way, turned with the pair.
+        let (sin, cos) = half.sin_cos();
+        let mut carried = *y;
+        carried[0] += t * chord * (dy[0] * cos - dy[1] * sin);
+        carried[1] += t * chord * (dy[0] * sin + dy[1] * cos);
+        carried[THETA] += turned;
+        Some(carried)
+    }
+
+    fn rates(&self, y: &[f64; 6], dy: &[f64; 6]) -> Rates {
+        let turned = |angle: f64| Vector3::new(-angle.sin(), angle.cos(), 0.0);
+        Rates {
+            midpoint: Vector3::new(dy[0], dy[1], 0.0),
+            line: turned(y[THETA]) * dy[THETA],
+            ln_gap: dy[3],
+            orientations: [
+                turned(y[THETA] + y[4]) * (dy[THETA] + dy[4]),
+                turned(y[THETA] + PI + y[5]) * (dy[THETA] + dy[5]),
+            ],
+        }
+    }
+}
+
+impl Dynamics<6> for Planar {
+    type Across = f64;
 
     #[inline]
     fn headings(&self, y: &[f64; 6]) -> [Heading<f64>; 2] {
@@ -95,36 +136,5 @@ impl Coordinates<6> for Planar {
             v.spin[0] - v.turning,
             v.spin[1] - v.turning,
         ]
-    }
-
-    fn carried_on(&self, y: &[f64; 6], dy: &[f64; 6], t: f64) -> Option<[f64; 6]> {
-        let turned = dy[THETA] * t;
-        let (half, quarter) = (0.5 * turned, 0.5 * turned * 0.5 * turned);
-        // sin(h)/h, the chord of the circle over its arc.
-        let chord = if half.abs() < 1e-4 {
-            1.0 - quarter / 6.0
-        } else {
-            half.sin() / half
-        };
-        // The velocity half way, turned with the pair.
-        let (sin, cos) = half.sin_cos();
-        let mut carried = *y;
-        carried[0] += t * chord * (dy[0] * cos - dy[1] * sin);
-        carried[1] += t * chord * (dy[0] * sin + dy[1] * cos);
-        carried[THETA] += turned;
-        Some(carried)
-    }
-
-    fn rates(&self, y: &[f64; 6], dy: &[f64; 6]) -> Rates {
-        let turned = |angle: f64| Vector3::new(-angle.sin(), angle.cos(), 0.0);
-        Rates {
-            midpoint: Vector3::new(dy[0], dy[1], 0.0),
-            line: turned(y[THETA]) * dy[THETA],
-            ln_gap: dy[3],
-            orientations: [
-                turned(y[THETA] + y[4]) * (dy[THETA] + dy[4]),
-                turned(y[THETA] + PI + y[5]) * (dy[THETA] + dy[5]),
-            ],
-        }
     }
 }

@@ -2,10 +2,10 @@
 
 use nalgebra::Vector3;
 
-use super::Coordinates;
 use crate::balance::{Heading, PairVelocity, axial_spins};
+use crate::motion::chart::Chart;
 use crate::motion::configuration::{Configuration, Rates, unwind};
-use crate::motion::equations::{self, Effect, Instant};
+use crate::motion::equations::{self, Dynamics, Effect, Instant};
 use crate::motion::steady::Relative;
 use crate::motion::swirling::{self, Swirl};
 use crate::{Gap, Gravity, Hydrodynamics, PairLoads, SceneError, SelfOther, Squirmer};
@@ -42,12 +42,19 @@ const MIDPOINT: usize = 0;
 const LINE: usize = 3;
 const ORIENTATION: [usize; 2] = [7, 10];
 
-impl<W: Effect<Swirl>> Coordinates<13> for Spatial<W> {
-    type Across = Vector3<f64>;
-    const WOUND: bool = true;
-    const SINES: bool = false;
-    const LN_GAP: usize = SPATIAL_LN_GAP;
-    const RELATIVE: Option<Relative> = None;
+impl<W: Effect<Swirl>> Chart<13> for Spatial<W> {
+    #[inline]
+    fn ln_gap(&self) -> usize {
+        SPATIAL_LN_GAP
+    }
+
+    fn is_wound(&self) -> bool {
+        true
+    }
+
+    fn relative(&self) -> Option<Relative> {
+        None
+    }
 
     fn encode(&self, c: &Configuration) -> [f64; 13] {
         let mut y = [0.0; 13];
@@ -73,6 +80,33 @@ impl<W: Effect<Swirl>> Coordinates<13> for Spatial<W> {
             angles_rad: [0, 1].map(|k| azimuth(orientations[k], previous.angles_rad[k])),
         }
     }
+
+    fn carried_on(&self, _: &[f64; 13], _: &[f64; 13], _: f64) -> Option<[f64; 13]> {
+        None
+    }
+
+    fn unit_drift(&self, y: &[f64; 13]) -> f64 {
+        let [first, second] = ORIENTATION;
+        [LINE, first, second]
+            .map(|at| (vector(y, at).norm() - 1.0).abs())
+            .into_iter()
+            .fold(0.0, f64::max)
+    }
+
+    fn rates(&self, y: &[f64; 13], dy: &[f64; 13]) -> Rates {
+        let unit_rate = |at: usize| vector(dy, at) / vector(y, at).norm();
+        Rates {
+            midpoint: vector(dy, MIDPOINT),
+            line: unit_rate(LINE),
+            ln_gap: dy[SPATIAL_LN_GAP],
+            orientations: ORIENTATION.map(unit_rate),
+        }
+    }
+}
+
+impl<W: Effect<Swirl>> Dynamics<13> for Spatial<W> {
+    type Across = Vector3<f64>;
+    const SINES: bool = false;
 
     #[inline]
     fn headings(&self, y: &[f64; 13]) -> [Heading<Vector3<f64>>; 2] {
@@ -135,28 +169,6 @@ impl<W: Effect<Swirl>> Coordinates<13> for Spatial<W> {
             store(&mut dy, at, d.cross(&w).cross(&vector(y, at)));
         }
         dy
-    }
-
-    fn carried_on(&self, _: &[f64; 13], _: &[f64; 13], _: f64) -> Option<[f64; 13]> {
-        None
-    }
-
-    fn unit_drift(&self, y: &[f64; 13]) -> f64 {
-        let [first, second] = ORIENTATION;
-        [LINE, first, second]
-            .map(|at| (vector(y, at).norm() - 1.0).abs())
-            .into_iter()
-            .fold(0.0, f64::max)
-    }
-
-    fn rates(&self, y: &[f64; 13], dy: &[f64; 13]) -> Rates {
-        let unit_rate = |at: usize| vector(dy, at) / vector(y, at).norm();
-        Rates {
-            midpoint: vector(dy, MIDPOINT),
-            line: unit_rate(LINE),
-            ln_gap: dy[SPATIAL_LN_GAP],
-            orientations: ORIENTATION.map(unit_rate),
-        }
     }
 
     #[inline]

@@ -1,10 +1,8 @@
 //! Free flight from one contact to the next, in one jump.
 
 use super::Runner;
-use crate::motion::coordinates::Coordinates;
-use crate::motion::equations::Effect;
 use crate::motion::free_flight::PairFlight;
-use crate::{Gap, Gravity, Hydrodynamics, Repulsion, SceneError};
+use crate::{Gap, SceneError};
 
 /// How a free flight ended.
 pub(super) enum Flown {
@@ -13,20 +11,14 @@ pub(super) enum Flown {
     Time,
 }
 
-impl<H, C, R, G, const N: usize> Runner<'_, '_, H, C, R, G, N>
-where
-    H: Hydrodynamics + ?Sized,
-    C: Coordinates<N>,
-    R: Effect<Repulsion>,
-    G: Effect<Gravity>,
-{
+impl<const N: usize> Runner<'_, '_, N> {
     /// Flies freely to the next contact at the gap `cut`, or to the end.
     pub(super) fn fly(&mut self, cut: Gap) -> Result<Flown, SceneError> {
         self.counters.flights += 1;
-        let squirmers = &self.motion.squirmers;
-        let flight = PairFlight::new(squirmers, self.motion.gravity.get(), self.now);
-        let coordinates = self.motion.coordinates;
-        let flown = |t: f64| coordinates.restored(flight.at(t));
+        let squirmers = self.motion.squirmers();
+        let flight = PairFlight::new(squirmers, self.motion.gravity(), self.now);
+        let chart = self.motion.chart();
+        let flown = |t: f64| chart.restored(flight.at(t));
         let left = self.options.end_time - self.t;
         let contact = flight.contact(cut.distance(), left, self.options.max_steps)?;
         let nearest = flight.closest_approach(contact.unwrap_or(left));

@@ -1,38 +1,30 @@
 //! What happens within a step of the stepper: parting, touching, the smallest gap, time in contact.
 
 use super::{CONTACT_GAP, PhaseEnd, Runner};
-use crate::motion::coordinates::Coordinates;
-use crate::motion::equations::Effect;
+use crate::Gap;
 use crate::motion::outcome::Outcome;
 use crate::ode::{Dense, Direction, OdeError, Step, first_crossing, first_minimum};
-use crate::{Gap, Gravity, Hydrodynamics, Repulsion};
 
-impl<H, C, R, G, const N: usize> Runner<'_, '_, H, C, R, G, N>
-where
-    H: Hydrodynamics + ?Sized,
-    C: Coordinates<N>,
-    R: Effect<Repulsion>,
-    G: Effect<Gravity>,
-{
+impl<const N: usize> Runner<'_, '_, N> {
     /// Takes in one step: up to the parting or touching if that lies in it, and then says so.
     pub(super) fn follow(
         &mut self,
         step: &Step<N>,
         parting: Option<Gap>,
     ) -> Result<Option<PhaseEnd>, OdeError> {
-        let of = C::LN_GAP;
+        let of = self.ln_gap;
         let turns = step.dy0[of] < 0.0 && step.dy1[of] >= 0.0;
         let crosses = |level: f64| (step.y0[of] <= level) != (step.y1[of] <= level);
         let contact = CONTACT_GAP.ln();
-        let parts = parting.is_some_and(|gap| parts::<C, N>(step, gap));
+        let parts = parting.is_some_and(|gap| parts(step, of, gap));
         // Out and back within the step: the gap is largest inside it.
         let crests = parting.is_some() && step.dy0[of] > 0.0 && step.dy1[of] < 0.0;
         let samples = self.recorder.is_due(step.t1);
-        let floor = self.floor;
+        let floor = self.model.floor;
         // A pair that rests there, or opens from there, does not close.
         let closes = step.y1[of] <= floor.gap.ln() && step.y1[of] < step.y0[of];
         let dense = if turns || crests || crosses(contact) || parts || closes || samples {
-            Some(step.dense(&mut self.motion)?)
+            Some(step.dense(self.motion)?)
         } else {
             None
         };
@@ -84,17 +76,17 @@ where
         };
         self.track_gap(step, dense.as_ref(), nearest, (t, &y));
         let previous = self.now;
-        let coordinates = self.motion.coordinates;
+        let chart = self.motion.chart();
         if let Some(dense) = dense.filter(|_| samples) {
             self.recorder
-                .record_between(t, |t| coordinates.decode(&dense.at(t), &previous));
+                .record_between(t, |t| chart.decode(&dense.at(t), &previous));
         }
-        self.unit_drift = self.unit_drift.max(coordinates.unit_drift(&y));
+        self.unit_drift = self.unit_drift.max(chart.unit_drift(&y));
         self.t = t;
         let end = event.filter(|_| ends_at.is_some());
         // Until then nothing but the state itself is asked for.
-        if C::WOUND || end.is_some() || self.watch.is_on(t) {
-            self.now = coordinates.decode(&y, &previous);
+        if chart.is_wound() || end.is_some() || self.watch.is_on(t) {
+            self.now = chart.decode(&y, &previous);
             if let (Some((gap, ..)), Some((_, true))) = (&end, ends_at) {
                 self.now.gap = *gap;
             }
@@ -115,7 +107,7 @@ where
         nearest: Option<(f64, f64)>,
         (t, y): (f64, &[f64; N]),
     ) {
-        let of = C::LN_GAP;
+        let of = self.ln_gap;
         let contact = CONTACT_GAP.ln();
         let mut least = step.y0[of].min(y[of]);
         if let Some((_, ln_gap)) = nearest.filter(|(nearest, _)| *nearest < t) {
@@ -143,7 +135,6 @@ where
 
 /// Whether a pair is beyond the gap at which it parts when the step ends: it crossed that gap, or began
 /// there or beyond and recedes by now. One that rests there does not part.
-fn parts<C: Coordinates<N>, const N: usize>(step: &Step<N>, gap: Gap) -> bool {
-    let of = C::LN_GAP;
+fn parts<const N: usize>(step: &Step<N>, of: usize, gap: Gap) -> bool {
     step.y1[of] >= gap.ln() && (step.y0[of] < gap.ln() || step.dy1[of] > 0.0)
 }

@@ -7,11 +7,9 @@
 
 use super::Runner;
 use crate::motion::configuration::Configuration;
-use crate::motion::coordinates::Coordinates;
-use crate::motion::equations::Effect;
 use crate::motion::far_turn::turned_to_infinity;
 use crate::ode::{Direction, first_crossing};
-use crate::{Gap, Gravity, Hydrodynamics, Repulsion, SceneError};
+use crate::{Gap, SceneError};
 
 /// Change of an angle to come, in radians, at which it counts as known: a tenth of a millionth of a degree.
 const KNOWN: f64 = 2e-9;
@@ -41,13 +39,7 @@ impl Outgoing {
     }
 }
 
-impl<H, C, R, G, const N: usize> Runner<'_, '_, H, C, R, G, N>
-where
-    H: Hydrodynamics + ?Sized,
-    C: Coordinates<N>,
-    R: Effect<Repulsion>,
-    G: Effect<Gravity>,
-{
+impl<const N: usize> Runner<'_, '_, N> {
     /// Where the angles of a pair are read that has parted just now under a model without a cut.
     pub(super) fn fly_out(&mut self) -> Result<Outgoing, SceneError> {
         let read_at = self.options.angles_at;
@@ -59,16 +51,16 @@ where
         let mut next = Next::after(self.now.gap.distance(), read_at)?;
         let mut previous = self.now;
         let outgoing = 'far: loop {
-            let step = stepper.step(&mut self.motion, f64::MAX);
+            let step = self.motion.step(&mut stepper, f64::MAX);
             let step = step.map_err(|error| self.failure(error))?;
-            self.motion.failure = None;
-            while step.y1[C::LN_GAP] >= next.gap.ln() {
-                let dense = step.dense(&mut self.motion);
+            self.motion.take_failure();
+            while step.y1[self.ln_gap] >= next.gap.ln() {
+                let dense = step.dense(self.motion);
                 let dense = dense.map_err(|error| self.failure(error))?;
-                let beyond = |_, y: &[f64; N]| y[C::LN_GAP] - next.gap.ln();
+                let beyond = |_, y: &[f64; N]| y[self.ln_gap] - next.gap.ln();
                 let t = first_crossing(&dense, beyond, Direction::Rising, 0.0);
                 let y = dense.at(t.unwrap_or(step.t0));
-                let at = self.motion.coordinates.decode(&y, &previous);
+                let at = self.motion.chart().decode(&y, &previous);
                 if next.is_read {
                     break 'far self.still_to_come(at);
                 }
@@ -79,13 +71,13 @@ where
                 next = Next::after(next.distance, read_at)?;
             }
             // A pair that comes back has not parted: its angles have no limit here.
-            if step.dy1[C::LN_GAP] < 0.0 && step.y1[C::LN_GAP] <= self.now.gap.ln() {
+            if step.dy1[self.ln_gap] < 0.0 && step.y1[self.ln_gap] <= self.now.gap.ln() {
                 break Outgoing {
                     configuration: limit.reached,
                     truncation_rad: f64::INFINITY,
                 };
             }
-            previous = self.motion.coordinates.decode(&step.y1, &previous);
+            previous = self.motion.chart().decode(&step.y1, &previous);
         };
         self.count(&stepper);
         Ok(outgoing)
@@ -93,13 +85,13 @@ where
 
     /// The pair at infinity, as seen from a configuration far out.
     fn estimate(&self, at: Configuration) -> Configuration {
-        let turned = turned_to_infinity(&self.motion.squirmers, &at);
-        turned.map_or(at, |turned| self.motion.coordinates.restored(turned))
+        let turned = turned_to_infinity(self.motion.squirmers(), &at);
+        turned.map_or(at, |turned| self.motion.chart().restored(turned))
     }
 
     /// A configuration that is read as it is, with what is still to come.
     fn still_to_come(&self, configuration: Configuration) -> Outgoing {
-        let turned = turned_to_infinity(&self.motion.squirmers, &configuration);
+        let turned = turned_to_infinity(self.motion.squirmers(), &configuration);
         Outgoing {
             configuration,
             truncation_rad: turned.map_or(f64::INFINITY, |turned| apart(&configuration, &turned)),

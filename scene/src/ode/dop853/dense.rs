@@ -12,7 +12,7 @@ impl<const N: usize> Step<N> {
     ///
     /// # Errors
     /// [`OdeError::NotFinite`] if one of them is not finite.
-    pub fn dense<S: System<N>>(&self, system: &mut S) -> Result<Dense<N>, OdeError> {
+    pub fn dense<S: System<N> + ?Sized>(&self, system: &mut S) -> Result<Dense<N>, OdeError> {
         let h = self.t1 - self.t0;
         let mut k = [[0.0; N]; 16];
         k[..12].copy_from_slice(&self.k);
@@ -71,7 +71,7 @@ impl<const N: usize> Dense<N> {
 
 /// Derivative at one stage of the dense output of the step `h` from `(t, y)`.
 #[inline(always)]
-fn derivative<S: System<N>, const N: usize, const M: usize>(
+fn derivative<S: System<N> + ?Sized, const N: usize, const M: usize>(
     system: &mut S,
     t: f64,
     y: &[f64; N],

@@ -44,7 +44,7 @@ impl<const N: usize> Step<N> {
     /// Makes the step to `t1`: its estimated error in units of the tolerance, none if the system
     /// was not finite on the way, and the evaluations spent.
     #[inline]
-    pub(super) fn attempt<S: System<N>>(
+    pub(super) fn attempt<S: System<N> + ?Sized>(
         &mut self,
         system: &mut S,
         tol: f64,
