@@ -105,12 +105,19 @@ impl Model {
     /// Sets up `method`. Loads or builds its table, and shows the progress, unless `options` ask for direct solves.
     ///
     /// # Errors
-    /// [`CompareError`] if the mesh level is not allowed or a solve fails.
+    /// [`CompareError`] if the mesh level is not allowed or a solve fails; [`CompareError::Input`] for a model from outside
+    /// that lacks one of the loads to be tabulated.
     pub fn set_up(method: Method, options: &ModelOptions) -> Result<Self, CompareError> {
         let started = Instant::now();
         let kind = match method {
             Method::Isolated => Kind::Direct(Arc::new(Isolated)),
-            Method::Other(other) => Kind::Other(other.hydrodynamics()),
+            Method::Other(other) => {
+                let model = other.hydrodynamics();
+                check_loads(model, options.tabulated).map_err(|reason| {
+                    CompareError::input("--method", method, reason.to_string())
+                })?;
+                Kind::Other(model)
+            }
             Method::Lt => Kind::Lubrication(Lubrication::new(Form::Published)),
             Method::LtCorrected => Kind::Lubrication(Lubrication::new(Form::Corrected)),
             Method::Exact if options.direct => Kind::Direct(Arc::new(Exact::new())),
@@ -301,6 +308,13 @@ impl Hydrodynamics for Model {
     fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
         self.hydrodynamics().error_estimate(gap, set)
     }
+}
+
+/// Whether a model has all loads of `set`, asked at a gap in its range.
+fn check_loads(model: &dyn Hydrodynamics, set: LoadSet) -> Result<(), SceneError> {
+    let range = model.range();
+    let gap = Gap::new(range.largest.min(1.0).max(range.smallest))?;
+    model.interacting_loads_with_swirl(gap, set).map(drop)
 }
 
 fn tabulate(

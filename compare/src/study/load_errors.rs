@@ -5,7 +5,6 @@ use scene::{Gap, Hydrodynamics, LoadSet, SceneError};
 use serde::Serialize;
 
 use crate::columns::columns;
-use crate::watch::notice;
 use crate::{Method, Model};
 
 columns! {
@@ -34,23 +33,6 @@ columns! {
     }
 }
 
-/// Whether a model has all loads of `set`; reports the first one that it lacks.
-fn has_all(model: &Model, set: LoadSet) -> bool {
-    let range = model.range();
-    let within =
-        gaps().filter_map(|eps| Gap::new(eps).ok().filter(|gap| range.check(*gap).is_ok()));
-    match within.map(|gap| model.loads(gap, set)).next() {
-        Some(Err(reason)) => {
-            notice!(
-                "{} is left out of the errors of loads: {reason}",
-                model.method()
-            );
-            false
-        }
-        _ => true,
-    }
-}
-
 /// Gaps from 1e-3 to 100 radii, twelve per decade.
 fn gaps() -> impl Iterator<Item = f64> {
     (0..=60).map(|i| 10f64.powf(f64::from(i) / 12.0 - 3.0))
@@ -58,7 +40,7 @@ fn gaps() -> impl Iterator<Item = f64> {
 
 /// The errors of `models` against `exact` for the loads of `set`, sorted by method.
 ///
-/// Gaps outside a model's range are left out, and with a message each model that lacks one of the loads.
+/// Gaps outside a model's range are left out.
 ///
 /// # Errors
 /// The errors of the models.
@@ -68,8 +50,7 @@ pub fn load_errors(
     set: LoadSet,
 ) -> Result<Vec<LoadErrorRow>, SceneError> {
     let gaps: Vec<_> = gaps().collect();
-    let pairs: Vec<_> = (models.iter())
-        .filter(|model| model.method() != Method::Exact && has_all(model, set))
+    let pairs: Vec<_> = (models.iter().filter(|m| m.method() != Method::Exact))
         .flat_map(|model| gaps.iter().map(move |&eps| (*model, eps)))
         .collect();
     let rows = pairs
@@ -93,35 +74,4 @@ pub fn load_errors(
         })
         .collect::<Result<Vec<Vec<_>>, SceneError>>()?;
     Ok(rows.concat())
-}
-
-#[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
-
-    use super::*;
-    use crate::{LoadsFile, ModelOptions};
-
-    #[test]
-    fn a_model_that_lacks_a_load_is_left_out_and_others_stay() {
-        let rows: String = ["0.01", "0.1", "1", "10"]
-            .map(|gap| format!("{gap},X11A,1\n{gap},X12A,0\n"))
-            .concat();
-        let part = LoadsFile::parse(&format!("gap,name,value\n{rows}")).unwrap();
-        let part = Method::register("part", Box::new(part)).unwrap();
-        let options = ModelOptions {
-            direct: true,
-            ..ModelOptions::default()
-        };
-        let set_up = |method| Model::set_up(method, &options).unwrap();
-        let (part, lt, exact) = (set_up(part), set_up(Method::Lt), set_up(Method::Exact));
-        let methods = |set| {
-            let rows = load_errors(&[&part, &lt], &exact, set).unwrap();
-            let mut methods: Vec<_> = rows.iter().map(|row| row.method).collect();
-            methods.dedup();
-            methods
-        };
-        assert_eq!(methods(LoadSet::axial(0)), [part.method(), Method::Lt]);
-        assert_eq!(methods(LoadSet::axial(1)), [Method::Lt]);
-    }
 }

@@ -61,7 +61,7 @@ impl EncounterSweep<'_> {
     /// Checks that [`Self::offsets`] would not delete rows of another sweep.
     ///
     /// # Errors
-    /// As [`Sweep::check`].
+    /// As [`Self::check_encounters`].
     pub fn check_offsets(&self, dz: &[f64]) -> Result<(), CompareError> {
         let cases = self.cases.len() / (1 + dz.len());
         self.sweep(self.models.len() * cases).check()

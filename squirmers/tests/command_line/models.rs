@@ -90,8 +90,13 @@ fn a_load_that_a_scene_reads_and_a_file_lacks_is_named() {
     };
     // Squirmers that face each other exactly read axial loads alone.
     assert!(run("0").status.success());
-    let output = run("1");
+    // All others are refused before anything runs.
+    let output = run("0,1");
     let message = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(1), "{message}");
-    assert!(message.contains("YT1_1"), "{message}");
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert_eq!(message.trim().lines().count(), 1, "{message}");
+    assert!(
+        message.contains("YT1_1") && message.contains("'theirs'"),
+        "{message}"
+    );
 }
