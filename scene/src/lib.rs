@@ -12,6 +12,7 @@
 pub mod balance;
 mod effects;
 mod error;
+mod frame;
 mod gap;
 mod hydrodynamics;
 mod isolated;
@@ -32,6 +33,7 @@ pub use nalgebra;
 
 pub use effects::{Gravity, Repulsion};
 pub use error::{ModelFailure, SceneError};
+pub use frame::{Configuration, Rates};
 pub use gap::Gap;
 pub use hydrodynamics::{GapRange, Hydrodynamics, ModelDescription};
 pub use isolated::Isolated;
@@ -39,8 +41,8 @@ pub use legendre::{Legendre, legendre};
 pub use load_set::{Exchange, LoadSet};
 pub use loads::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
 pub use motion::{
-    BoundState, Configuration, Counters, Outcome, Rates, Run, RunOptions, Sample, bound_states,
-    rates, rates_monomorphic, run, run_monomorphic, run_observed, run_plan,
+    BoundState, Counters, Outcome, Run, RunOptions, Sample, bound_states, rates, rates_monomorphic,
+    run, run_monomorphic, run_observed, run_plan,
 };
 pub use plan::{NeededLoads, Parities, Plan, PlanRow, State, SymmetryClass};
 pub use scene::{Orientation, Pose, Scene};

@@ -8,7 +8,7 @@ mod symmetry;
 
 pub use describe::{NeededLoads, Parities, PlanRow, SymmetryClass};
 
-use crate::motion::{Configuration, Plane, start};
+use crate::frame::{Configuration, Plane, start};
 use crate::{Exchange, Gravity, Hydrodynamics, LoadSet, Repulsion, Scene, SceneError, Squirmer};
 
 /// The variables in which the motion is integrated.

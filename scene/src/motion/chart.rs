@@ -3,10 +3,8 @@
 //! All of them carry `ln eps` as a variable of its own, so that the spheres cannot overlap and the gap
 //! keeps its digits near contact, the midpoint of the two centres, and the line of centres `d`.
 
-use nalgebra::Vector3;
-
-use super::configuration::{Configuration, Rates};
 use super::steady::Relative;
+use crate::frame::{Configuration, Rates};
 
 /// From configurations to states of `N` numbers, and back.
 pub(crate) trait Chart<const N: usize> {
@@ -37,15 +35,4 @@ pub(crate) trait Chart<const N: usize> {
     fn restored(&self, configuration: Configuration) -> Configuration {
         configuration
     }
-}
-
-/// Unit vector at an angle in the x-y plane.
-pub(super) fn direction(angle: f64) -> Vector3<f64> {
-    let (sin, cos) = angle.sin_cos();
-    Vector3::new(cos, sin, 0.0)
-}
-
-/// Unit vector a quarter turn on.
-pub(super) fn across(v: Vector3<f64>) -> Vector3<f64> {
-    Vector3::new(-v.y, v.x, 0.0)
 }

@@ -8,8 +8,8 @@
 
 use nalgebra::{Rotation3, Vector3};
 
-use super::configuration::Configuration;
 use crate::Squirmer;
+use crate::frame::Configuration;
 
 /// The configuration whose orientations have turned by all that is still to come on straight paths that
 /// recede from each other; none if the two do not recede, so that there is no limit.

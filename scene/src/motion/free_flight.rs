@@ -5,7 +5,7 @@ mod lone;
 use nalgebra::Vector3;
 
 use self::lone::Flight;
-use super::configuration::{Configuration, unwind};
+use crate::frame::{Configuration, unwind};
 use crate::{Gap, Gravity, SceneError, Squirmer};
 
 /// Free flight of a pair from a configuration.

@@ -2,7 +2,6 @@
 
 mod bound;
 mod chart;
-mod configuration;
 mod coordinates;
 mod dispatch;
 mod equations;
@@ -11,7 +10,6 @@ mod floor;
 mod free_flight;
 mod moving;
 mod outcome;
-mod plane;
 mod rates;
 mod recorder;
 mod result;
@@ -21,10 +19,7 @@ mod swirling;
 mod watch;
 
 pub use bound::{BoundState, bound_states};
-pub(crate) use configuration::start;
-pub use configuration::{Configuration, Rates};
 pub use outcome::Outcome;
-pub(crate) use plane::Plane;
 pub use rates::{rates, rates_monomorphic};
 pub use result::{Counters, Run, RunOptions, Sample};
 pub use run::{run, run_monomorphic, run_observed, run_plan};

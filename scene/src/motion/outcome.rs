@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::configuration::Configuration;
+use crate::frame::Configuration;
 use crate::{Gravity, Squirmer};
 
 /// Outcome of an encounter, after the paper's Fig. 1(c), and under gravity after its Fig. 8.

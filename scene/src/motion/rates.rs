@@ -2,9 +2,9 @@
 
 use std::hint::black_box;
 
-use super::configuration::{Configuration, Rates};
 use super::dispatch::{Task, dispatch};
 use super::equations::{Dynamics, Effect, PairMotion};
+use crate::frame::{Configuration, Rates};
 use crate::ode::System;
 use crate::{Gravity, Hydrodynamics, Plan, Repulsion, SceneError};
 

@@ -1,7 +1,7 @@
 //! Samples of a run at multiples of an interval, handed over as they come.
 
-use super::configuration::Configuration;
 use super::result::Sample;
+use crate::frame::Configuration;
 
 /// Hands samples over in the order of their times, none twice; none at all without an interval.
 pub(super) struct Recorder<'a, 'b> {

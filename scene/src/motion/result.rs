@@ -1,8 +1,8 @@
 //! How to run a scene, and what comes of it.
 
-use super::configuration::Configuration;
 use super::outcome::Outcome;
 use crate::SceneError;
+use crate::frame::Configuration;
 
 /// Most samples of a run.
 const MOST_SAMPLES: f64 = 1e7;

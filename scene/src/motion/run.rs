@@ -11,7 +11,6 @@ mod outgoing;
 
 use self::flight::Flown;
 use self::outgoing::Outgoing;
-use super::configuration::Configuration;
 use super::dispatch::{Task, dispatch};
 use super::equations::{Dynamics, Effect, PairMotion};
 use super::floor::Floor;
@@ -21,6 +20,7 @@ use super::recorder::Recorder;
 use super::result::{Counters, Run, RunOptions, Sample};
 use super::steady::{Attempts, steady_state};
 use super::watch::Watch;
+use crate::frame::Configuration;
 use crate::ode::{OdeError, Step, Stepper};
 use crate::{Gap, Gravity, Hydrodynamics, Plan, Repulsion, Scene, SceneError};
 

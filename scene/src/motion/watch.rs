@@ -1,11 +1,11 @@
 //! What is kept of a run to tell at its end in which way the pair is bound.
 
-use super::configuration::Configuration;
 use super::free_flight::PairFlight;
 use super::outcome::{
     GapHistory, LineHistory, Outcome, Righting, judge_bound, judge_under_gravity,
 };
 use super::result::Sample;
+use crate::frame::Configuration;
 
 /// Share of a run after which the pair is watched.
 const WATCHED_FROM: f64 = 0.75;

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
 
 use super::State;
-use crate::motion::{Configuration, Plane};
+use crate::frame::{Configuration, Plane};
 use crate::{Gravity, Orientation, Scene};
 
 /// The state without the use of exchange or axial symmetry, and the plane of the motion where that is not one

@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use crate::balance::{Heading, PairVelocity};
+use crate::frame::{Configuration, Rates};
 use crate::motion::chart::Chart;
-use crate::motion::configuration::{Configuration, Rates};
 use crate::motion::equations::Dynamics;
 use crate::motion::steady::Relative;
 use crate::{Gap, Gravity, Squirmer};

@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 
 use crate::balance::{Heading, PairVelocity};
-use crate::motion::chart::{Chart, direction};
-use crate::motion::configuration::{Configuration, Rates};
+use crate::frame::{Configuration, Rates, direction};
+use crate::motion::chart::Chart;
 use crate::motion::equations::Dynamics;
 use crate::motion::steady::Relative;
 use crate::{Gap, Gravity, Squirmer};

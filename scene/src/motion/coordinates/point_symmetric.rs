@@ -7,8 +7,8 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::Vector3;
 
 use crate::balance::{External, Heading, Image, PairVelocity, symmetric_velocity};
-use crate::motion::chart::{Chart, across, direction};
-use crate::motion::configuration::{Configuration, Rates};
+use crate::frame::{Configuration, Rates, across, direction};
+use crate::motion::chart::Chart;
 use crate::motion::equations::Dynamics;
 use crate::motion::steady::Relative;
 use crate::{Gap, Gravity, PairLoads, Squirmer};

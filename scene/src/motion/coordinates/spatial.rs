@@ -3,8 +3,8 @@
 use nalgebra::Vector3;
 
 use crate::balance::{Heading, PairVelocity, axial_spins};
+use crate::frame::{Configuration, Rates, unwind};
 use crate::motion::chart::Chart;
-use crate::motion::configuration::{Configuration, Rates, unwind};
 use crate::motion::equations::{self, Dynamics, Effect, Instant};
 use crate::motion::steady::Relative;
 use crate::motion::swirling::{self, Swirl};

@@ -6,7 +6,7 @@
 //! from its limit, or from what the error of a table lets be known of it.
 
 use super::Runner;
-use crate::motion::configuration::Configuration;
+use crate::frame::Configuration;
 use crate::motion::far_turn::turned_to_infinity;
 use crate::ode::{Direction, first_crossing};
 use crate::{Gap, SceneError};

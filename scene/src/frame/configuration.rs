@@ -36,6 +36,17 @@ pub(crate) fn unwind(angle: f64, previous: f64) -> f64 {
     angle + TAU * ((previous - angle) / TAU).round()
 }
 
+/// Unit vector at an angle in the x-y plane.
+pub(crate) fn direction(angle: f64) -> Vector3<f64> {
+    let (sin, cos) = angle.sin_cos();
+    Vector3::new(cos, sin, 0.0)
+}
+
+/// Unit vector a quarter turn on.
+pub(crate) fn across(v: Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(-v.y, v.x, 0.0)
+}
+
 /// Rates of change of a [`Configuration`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rates {

@@ -8,8 +8,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::chart::direction;
-use super::configuration::{Configuration, Rates, unwind};
+use super::configuration::{Configuration, Rates, direction, unwind};
 use crate::{Gravity, Scene};
 
 /// A plane with its frame.
