@@ -15,7 +15,7 @@ use scene::{Gap, Hydrodynamics, Outcome, Run, RunOptions, Scene, SceneError};
 
 use super::tables::Tables;
 use super::timing::timed;
-use super::{CostOptions, CostRow, LOADS, Part, run_any, run_lubrication};
+use super::{CostOptions, CostRow, LOADS, Part, run_lubrication};
 use crate::{Approach, Case, CompareError, Defaults, Method};
 
 /// Tolerances of the integrator for models in closed form and with a table.
@@ -52,7 +52,7 @@ impl<'a> Entrant<'a> {
         Self {
             name: name.into(),
             set_up_seconds,
-            run: Box::new(move |scene, tolerance| run_any(scene, model, &at(tolerance))),
+            run: Box::new(move |scene, tolerance| scene::run(scene, model, &at(tolerance))),
         }
     }
 }
@@ -83,7 +83,7 @@ pub(super) fn measure(
     let mut references = Vec::with_capacity(cases.len());
     for case in &cases {
         let scene = case.scene()?;
-        let reference = run_any(&scene, tables.referee(), &at(REFEREE))?;
+        let reference = scene::run(&scene, tables.referee(), &at(REFEREE))?;
         let mut tightest = Vec::new();
         for entrant in &entrants {
             let tight = (entrant.run)(&scene, REFEREE);
@@ -181,7 +181,7 @@ fn direct(
             }
             let tight = reference.tightest(&entrant.name);
             for &tolerance in *tolerances {
-                let alike = run_any(&reference.scene, tables.referee(), &at(tolerance))?;
+                let alike = scene::run(&reference.scene, tables.referee(), &at(tolerance))?;
                 let expected = entrant.set_up_seconds * alike.counters.loads as f64;
                 let mut row = row(&entrant.name, tolerance, &reference.case);
                 row.set_up_seconds = 0.0;

@@ -15,7 +15,7 @@ mod tables;
 mod timing;
 
 use lt::Lubrication;
-use scene::{Hydrodynamics, LoadSet, Plan, Run, RunOptions, Scene, SceneError};
+use scene::{LoadSet, Plan, Run, RunOptions, Scene, SceneError};
 
 use crate::CompareError;
 
@@ -82,15 +82,6 @@ fn run_lubrication(
     options: &RunOptions,
 ) -> Result<Run, SceneError> {
     model.run(&Plan::new(scene)?, options, &mut |_| {})
-}
-
-/// Runs a scene by any other model, through the loop that all others share.
-fn run_any(
-    scene: &Scene,
-    model: &dyn Hydrodynamics,
-    options: &RunOptions,
-) -> Result<Run, SceneError> {
-    scene::run_observed(&Plan::new(scene)?, model, options, &mut |_| {})
 }
 
 /// Loads that the paper's cases read.

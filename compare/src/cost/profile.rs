@@ -13,7 +13,7 @@ use super::loads::REFEREE_TERMS;
 use super::scaling::fig_6;
 use super::tables::Tables;
 use super::timing::timed;
-use super::{CostRow, LOADS, Part, run_any, run_lubrication};
+use super::{CostRow, LOADS, Part, run_lubrication};
 use crate::{CompareError, Method};
 
 /// Logarithms of the gaps of a collision.
@@ -39,10 +39,10 @@ pub(super) fn right_hand_sides(
     let lubrication_run = |scene: &_, options: &_| run_lubrication(scene, &lubrication, options);
     profile(Method::Lt.name(), &lubrication, &lubrication_run, rows)?;
     let exact = &tables.usual_exact().table;
-    let exact_run = |scene: &_, options: &_| run_any(scene, exact, options);
+    let exact_run = |scene: &_, options: &_| scene::run(scene, exact, options);
     profile("exact-table", exact, &exact_run, rows)?;
     for built in tables.usual_bem() {
-        let run = |scene: &_, options: &_| run_any(scene, &built.table, options);
+        let run = |scene: &_, options: &_| scene::run(scene, &built.table, options);
         profile(&built.name, &built.table, &run, rows)?;
     }
     Ok(())

@@ -8,7 +8,7 @@ use scene::{Gap, RunOptions, Scene};
 
 use super::tables::Tables;
 use super::timing::timed_within;
-use super::{CostOptions, CostRow, LOADS, Part, run_any};
+use super::{CostOptions, CostRow, LOADS, Part};
 use crate::{Approach, Case, CompareError};
 
 /// Gap at which boundary elements are solved, in radii.
@@ -83,7 +83,7 @@ pub(super) fn sweeps(
                 .map_err(|error| CompareError::input("threads", threads, error.to_string()))?;
             let sweep = || -> u64 {
                 let runs = scenes.par_iter().map(|scene| {
-                    let found = run_any(scene, model, &RunOptions::default());
+                    let found = scene::run(scene, model, &RunOptions::default());
                     found.map_or(0, |run| run.counters.loads)
                 });
                 runs.sum()

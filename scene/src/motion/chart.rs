@@ -22,7 +22,12 @@ pub(crate) trait Chart<const N: usize> {
     fn decode(&self, y: &[f64; N], previous: &Configuration) -> Configuration;
     /// The state after the further time `t` when only position and line of centres change, at the
     /// constant rates that `dy` has in the frame of the pair; none without [`Self::relative`].
-    fn carried_on(&self, y: &[f64; N], dy: &[f64; N], t: f64) -> Option<[f64; N]>;
+    fn carried_on(&self, y: &[f64; N], dy: &[f64; N], t: f64) -> Option<[f64; N]> {
+        let driven = self.relative()?.driven;
+        let mut carried = *y;
+        carried[driven] += dy[driven] * t;
+        Some(carried)
+    }
     /// Largest departure from unit length of the directions in the state, which are integrated as vectors;
     /// zero for angles.
     fn unit_drift(&self, _y: &[f64; N]) -> f64 {

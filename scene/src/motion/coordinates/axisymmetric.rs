@@ -54,10 +54,6 @@ impl Chart<2> for Axisymmetric {
         }
     }
 
-    fn carried_on(&self, y: &[f64; 2], dy: &[f64; 2], t: f64) -> Option<[f64; 2]> {
-        Some([y[0] + dy[0] * t, y[1]])
-    }
-
     fn rates(&self, _: &[f64; 2], dy: &[f64; 2]) -> Rates {
         Rates {
             midpoint: self.start.line * dy[0],

@@ -67,10 +67,6 @@ impl Chart<3> for MirrorSymmetric {
         })
     }
 
-    fn carried_on(&self, y: &[f64; 3], dy: &[f64; 3], t: f64) -> Option<[f64; 3]> {
-        Some([y[0] + dy[0] * t, y[1], y[2]])
-    }
-
     fn rates(&self, y: &[f64; 3], dy: &[f64; 3]) -> Rates {
         let turned = across(direction(self.line_angle_rad + y[2])) * dy[2];
         Rates {

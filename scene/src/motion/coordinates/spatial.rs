@@ -81,10 +81,6 @@ impl<W: Effect<Swirl>> Chart<13> for Spatial<W> {
         }
     }
 
-    fn carried_on(&self, _: &[f64; 13], _: &[f64; 13], _: f64) -> Option<[f64; 13]> {
-        None
-    }
-
     fn unit_drift(&self, y: &[f64; 13]) -> f64 {
         let [first, second] = ORIENTATION;
         [LINE, first, second]
