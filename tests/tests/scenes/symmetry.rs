@@ -91,6 +91,31 @@ fn reduced_and_full_trajectories_agree() {
 }
 
 #[test]
+fn a_settled_symmetric_pair_is_carried_on_to_where_the_full_motion_takes_it() {
+    let family = compare::Family::named("incoming-angles").unwrap();
+    let model = Lubrication::new(Form::Published);
+    let options = RunOptions {
+        tolerance: 1e-10,
+        ..RunOptions::default()
+    };
+    for delta in [0.5, 0.8] {
+        // Mirror images that come together and swim side by side along the mirror.
+        let point = family.scene(&[("beta", 5.0), ("sigma", 1.0), ("delta", delta)]);
+        let plan = Plan::new(&point.unwrap().scene).unwrap();
+        assert_eq!(plan.state(), State::MirrorSymmetric);
+        let reduced = run_plan(&plan, &model, &options).unwrap();
+        let full = run_plan(&plan.without_symmetry(), &model, &options).unwrap();
+        let settled = reduced.settled.unwrap();
+        assert!(settled < options.end_time - 50.0, "{settled}");
+        assert_eq!(reduced.outcome, scene::Outcome::Pairwise);
+        assert_eq!(full.outcome, scene::Outcome::Pairwise);
+        let [a, b] = [&reduced, &full].map(|run| run.end.midpoint);
+        assert!(a.norm() > 1.0, "{a}");
+        assert_relative_eq!(a, b, max_relative = 1e-9);
+    }
+}
+
+#[test]
 fn reduced_motion_is_symmetric_to_the_last_bit_for_ever() {
     let model = Lubrication::new(Form::Published);
     let options = RunOptions {
