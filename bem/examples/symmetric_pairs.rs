@@ -3,12 +3,12 @@
 use std::time::Instant;
 
 use bem::Bem;
-use scene::{Exchange, Gap, LoadSet};
+use scene::{Gap, LoadSet};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("level,gap,set,classes,assembly_s,solve_s,all_s");
-    let point = LoadSet::planar(2).of_symmetric(Exchange::Point);
-    let facing = LoadSet::axial(2).of_symmetric(Exchange::Mirror);
+    let point = LoadSet::planar(2).point_symmetric();
+    let facing = LoadSet::axial(2).mirror_symmetric();
     for level in [1, 3] {
         let model = Bem::new(level)?;
         for eps in [0.01, 0.1] {

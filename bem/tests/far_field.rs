@@ -3,12 +3,14 @@
 #![allow(clippy::float_cmp, reason = "exactly equal is what is claimed")]
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
+use std::sync::Arc;
+
 use bem::Bem;
 use bem::model::difference;
 use exact::Exact;
 use scene::{
-    Exchange, Gap, Hydrodynamics, LoadSet, Outcome, PairLoads, Plan, Pose, Repulsion, Run,
-    RunOptions, Scene, Squirmer, SwirlLoads, TableOptions, Tabulated, run_plan,
+    Gap, Hydrodynamics, LoadSet, Outcome, PairLoads, Plan, Pose, Repulsion, Run, RunOptions, Scene,
+    Squirmer, SwirlLoads, TableOptions, Tabulated, run_plan,
 };
 
 fn gap(eps: f64) -> Gap {
@@ -23,7 +25,7 @@ fn solved(model: &Bem, at: Gap, set: LoadSet) -> PairLoads {
 
 #[test]
 fn spheres_infinitely_far_apart_have_the_loads_of_lone_ones() {
-    let point = LoadSet::planar(2).of_symmetric(Exchange::Point);
+    let point = LoadSet::planar(2).point_symmetric();
     for set in [LoadSet::all(3).with_swirl(2), LoadSet::axial(1), point] {
         for level in 1..=3 {
             let model = Bem::new(level).unwrap();
@@ -115,7 +117,7 @@ fn table(model: impl Hydrodynamics + 'static, tolerance: f64) -> Tabulated {
         tolerance,
         smallest_gap: 1.03,
     };
-    Tabulated::build(model, options, &|_| ()).unwrap()
+    Tabulated::build(Arc::new(model), options, &|_| ()).unwrap()
 }
 
 /// Two squirmers with the paper's repulsion whose paths cross at right angles.

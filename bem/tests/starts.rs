@@ -9,7 +9,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use bem::Bem;
 use exact::Exact;
@@ -25,7 +25,7 @@ fn table(model: impl Hydrodynamics + 'static) -> Tabulated {
         tolerance: 1e-4,
         smallest_gap: 1e-7,
     };
-    Tabulated::build(model, options, &|_| ()).unwrap()
+    Tabulated::build(Arc::new(model), options, &|_| ()).unwrap()
 }
 
 fn exact() -> &'static Tabulated {

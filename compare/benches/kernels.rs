@@ -3,19 +3,27 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the bench")]
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use compare::EXACT_TABLE_TOLERANCE;
 use divan::{Bencher, black_box};
 use exact::Exact;
 use lt::{Form, Lubrication};
-use scene::balance::{External, Heading, PairVelocity, pair_velocity};
+use scene::mobility::{
+    External, Heading, MobilitySet, ModeMobility, PairMobility, PairVelocity, pair_velocity,
+};
 use scene::ode::Stepper;
 use scene::{Gap, Hydrodynamics, LoadSet, Repulsion, Squirmer, TableOptions, Tabulated};
 
 fn main() {
     divan::main();
 }
+
+/// What a planar collision reads.
+const READ: MobilitySet = MobilitySet {
+    loads: LoadSet::planar(2),
+    torque: false,
+};
 
 /// Logarithms of gaps from where repulsion holds the pair to where lubrication theory is cut.
 const LN_GAPS: [f64; 8] = [-5.3, -0.2, -3.1, -4.6, -1.7, -0.9, -2.4, -3.9];
@@ -29,7 +37,7 @@ fn table() -> &'static Tabulated {
             tolerance: EXACT_TABLE_TOLERANCE,
             smallest_gap: 1e-4,
         };
-        Tabulated::build(Exact::new(), options, &|_| ()).unwrap()
+        Tabulated::build(Arc::new(Exact::new()), options, &|_| ()).unwrap()
     })
 }
 
@@ -41,8 +49,8 @@ fn velocity<M: Hydrodynamics>(
     repulsion: Repulsion,
 ) -> PairVelocity<f64> {
     let gap = Gap::from_ln(ln_gap);
-    let loads = model.interacting_loads(gap, LoadSet::all(2));
-    let loads = loads.as_ref().unwrap();
+    let (mut pair, mut modes) = <(PairMobility, [ModeMobility; 2])>::default();
+    (model.interacting_mobility(gap, READ, (&mut pair, &mut modes))).unwrap();
     let headings = angles.map(|angle: f64| Heading {
         cosine: angle.cos(),
         transverse: angle.sin(),
@@ -51,7 +59,7 @@ fn velocity<M: Hydrodynamics>(
         repulsion: repulsion.force(gap),
         torque: None,
     };
-    pair_velocity(gap, loads, squirmers, &headings, &external)
+    pair_velocity((&pair, &modes), squirmers, &headings, &external)
 }
 
 fn bench_velocity<M: Hydrodynamics>(bencher: Bencher<'_, '_>, model: &M) {
@@ -70,7 +78,7 @@ fn bench_velocity<M: Hydrodynamics>(bencher: Bencher<'_, '_>, model: &M) {
     });
 }
 
-/// Loads, sines and force balance of one right-hand side.
+/// Mobilities, sines and sums over the causes of one right-hand side.
 #[divan::bench]
 fn right_hand_side_lubrication(bencher: Bencher<'_, '_>) {
     bench_velocity(bencher, &Lubrication::new(Form::Published));
@@ -88,7 +96,7 @@ fn table_look_up(bencher: Bencher<'_, '_>) {
         for ln_gap in LN_GAPS {
             black_box(
                 table
-                    .loads(Gap::from_ln(black_box(ln_gap)), LoadSet::all(2))
+                    .mobility(Gap::from_ln(black_box(ln_gap)), READ)
                     .unwrap(),
             );
         }
@@ -96,13 +104,13 @@ fn table_look_up(bencher: Bencher<'_, '_>) {
 }
 
 #[divan::bench]
-fn loads_lubrication(bencher: Bencher<'_, '_>) {
+fn mobility_lubrication(bencher: Bencher<'_, '_>) {
     let model = Lubrication::new(Form::Published);
     bencher.counter(LN_GAPS.len()).bench(|| {
         for ln_gap in LN_GAPS {
             black_box(
                 model
-                    .loads(Gap::from_ln(black_box(ln_gap)), LoadSet::all(2))
+                    .mobility(Gap::from_ln(black_box(ln_gap)), READ)
                     .unwrap(),
             );
         }
@@ -110,11 +118,11 @@ fn loads_lubrication(bencher: Bencher<'_, '_>) {
 }
 
 #[divan::bench]
-fn force_balance(bencher: Bencher<'_, '_>) {
+fn velocity_by_mobility(bencher: Bencher<'_, '_>) {
     let squirmers = [Squirmer::with_beta(1.0, 5.0).unwrap(); 2];
     let model = Lubrication::new(Form::Published);
     let gap = Gap::new(0.01).unwrap();
-    let loads = model.loads(gap, LoadSet::all(2)).unwrap();
+    let mobility = model.mobility(gap, READ).unwrap();
     let headings = [0.3, 1.1].map(|angle: f64| Heading {
         cosine: angle.cos(),
         transverse: angle.sin(),
@@ -125,8 +133,7 @@ fn force_balance(bencher: Bencher<'_, '_>) {
     };
     bencher.bench(|| {
         pair_velocity(
-            gap,
-            black_box(&loads),
+            black_box((&mobility.pair, &mobility.modes[..2])),
             black_box(&squirmers),
             black_box(&headings),
             &external,

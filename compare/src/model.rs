@@ -1,5 +1,6 @@
 //! Hydrodynamic models as the commands use them: closed forms, tables, or a solve for every load.
 
+use std::ops::Deref;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
@@ -8,25 +9,20 @@ use bem::Bem;
 use exact::Exact;
 use lt::{Form, Lubrication};
 use scene::{
-    Configuration, Gap, Hydrodynamics, Isolated, LoadSet, ModelDescription, PairLoads, Plan,
-    PlanRow, Rates, Run, RunOptions, Sample, Scene, SceneError, SwirlLoads, TableOptions,
-    TableSummary, Tabulated, rates, run_observed,
+    Configuration, Gap, Hydrodynamics, Isolated, LoadSet, Plan, PlanRow, Rates, Run, RunOptions,
+    Sample, Scene, SceneError, TableOptions, TableSummary, Tabulated, rates, run_observed,
 };
 
 use crate::scene_file::Hydrodynamics as InFiles;
 use crate::watch::{Pieces, Progress};
 use crate::{CompareError, Method, NoRun};
 
-/// Interpolation error of the tables of boundary elements, relative to the larger of the load and 1. It is far
+/// Interpolation error of the tables of boundary elements, an error of velocity by unit slip. It is far
 /// below the error of the boundary elements, and more than small enough for deflections within 0.01 degrees.
 pub const BEM_TABLE_TOLERANCE: f64 = 1e-6;
 
-/// Interpolation error of the exact tables, relative to the larger of the load and 1.
+/// Interpolation error of the exact tables, an error of velocity by unit slip.
 pub const EXACT_TABLE_TOLERANCE: f64 = 1e-9;
-
-/// Smallest gap of the exact tables. At smaller gaps the rounding of `1/(4 eps)` would spoil the interpolation, and
-/// the exact loads have a limiting form.
-pub(crate) const EXACT_TABLE_FROM: f64 = 1e-7;
 
 /// Right-hand sides in one timing, and number of timings. The shortest timing counts, because other work of the
 /// machine can only add time.
@@ -40,11 +36,10 @@ const SOLVED_RATES: (usize, usize) = (1, 2);
 pub struct ModelOptions {
     /// Level of the mesh of boundary elements.
     pub mesh: usize,
-    /// Whether the model solves for every load instead of reading it from a table.
+    /// Whether the model solves at every gap instead of reading from a table.
     pub direct: bool,
-    /// Loads in the tables; by default all loads of the modes 1 and 2. Each set of loads has a table of its own. The
-    /// pieces of a table follow from its hardest column, so a number from a larger table would differ within the
-    /// tolerance, and results would depend on which tables exist.
+    /// Loads whose balance the tables hold; by default all loads of the modes 1 and 2. What else a table holds changes no
+    /// number.
     pub tabulated: LoadSet,
     /// Folder in which tables are kept from one run to the next; `None` keeps no tables.
     pub cache: Option<PathBuf>,
@@ -62,7 +57,7 @@ impl Default for ModelOptions {
 }
 
 impl ModelOptions {
-    /// These options, with tables of only those loads that the motion of the given scenes reads.
+    /// These options, with tables of only what the motion of the given scenes reads.
     ///
     /// # Errors
     /// The error of the first scene that is not valid.
@@ -122,8 +117,12 @@ impl Model {
             Method::LtCorrected => Kind::Lubrication(Lubrication::new(Form::Corrected)),
             Method::Exact if options.direct => Kind::Direct(Arc::new(Exact::new())),
             Method::Exact => {
-                let spec = (EXACT_TABLE_FROM, EXACT_TABLE_TOLERANCE);
-                let table = tabulate(Arc::new(Exact::new()), method, spec, options)?;
+                let table = tabulate(
+                    Arc::new(Exact::new()),
+                    method,
+                    EXACT_TABLE_TOLERANCE,
+                    options,
+                )?;
                 Kind::Table(Box::new(table))
             }
             Method::Bem => {
@@ -131,8 +130,7 @@ impl Model {
                 if options.direct {
                     Kind::Direct(Arc::new(bem))
                 } else {
-                    let spec = (bem.range().smallest, BEM_TABLE_TOLERANCE);
-                    let table = tabulate(Arc::new(bem), method, spec, options)?;
+                    let table = tabulate(Arc::new(bem), method, BEM_TABLE_TOLERANCE, options)?;
                     Kind::Table(Box::new(table))
                 }
             }
@@ -182,7 +180,7 @@ impl Model {
         }
     }
 
-    /// The loads in the model's table; `None` for a model without a table.
+    /// The loads whose balance the model's table holds; `None` for a model without a table.
     #[must_use]
     pub fn tabulated(&self) -> Option<LoadSet> {
         match &self.kind {
@@ -274,7 +272,7 @@ impl Model {
         plan.rows(self.hydrodynamics())
     }
 
-    fn hydrodynamics(&self) -> &dyn Hydrodynamics {
+    fn hydrodynamics(&self) -> &(dyn Hydrodynamics + 'static) {
         match &self.kind {
             Kind::Lubrication(model) => model,
             Kind::Table(model) => model.as_ref(),
@@ -284,29 +282,12 @@ impl Model {
     }
 }
 
-impl Hydrodynamics for Model {
-    fn description(&self) -> ModelDescription<'_> {
-        self.hydrodynamics().description()
-    }
+/// A model answers as what is behind it: with nothing to be handed on method by method, nothing can be forgotten.
+impl Deref for Model {
+    type Target = dyn Hydrodynamics + 'static;
 
-    fn fingerprint(&self) -> String {
-        self.hydrodynamics().fingerprint()
-    }
-
-    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
-        self.hydrodynamics().interacting_loads(gap, set)
-    }
-
-    fn interacting_loads_with_swirl(
-        &self,
-        gap: Gap,
-        set: LoadSet,
-    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
-        self.hydrodynamics().interacting_loads_with_swirl(gap, set)
-    }
-
-    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
-        self.hydrodynamics().error_estimate(gap, set)
+    fn deref(&self) -> &Self::Target {
+        self.hydrodynamics()
     }
 }
 
@@ -320,13 +301,13 @@ fn check_loads(model: &dyn Hydrodynamics, set: LoadSet) -> Result<(), SceneError
 fn tabulate(
     model: AnyModel,
     method: Method,
-    (smallest_gap, tolerance): (f64, f64),
+    tolerance: f64,
     options: &ModelOptions,
 ) -> Result<Tabulated, CompareError> {
     let table = TableOptions {
         set: options.tabulated,
         tolerance,
-        smallest_gap,
+        smallest_gap: model.range().smallest,
     };
     let what = match method {
         Method::Bem => "boundary elements",

@@ -6,13 +6,12 @@
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
 use std::alloc::System;
+use std::sync::Arc;
 
 use compare::{Approach, Case};
 use exact::Exact;
 use lt::{Form, Lubrication};
-use scene::{
-    Gap, Hydrodynamics, LoadSet, Plan, Run, RunOptions, TableOptions, Tabulated, run_plan,
-};
+use scene::{Hydrodynamics, LoadSet, Plan, Run, RunOptions, TableOptions, Tabulated, run_plan};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
 #[global_allocator]
@@ -63,13 +62,9 @@ fn trajectories_allocate_nothing() {
     let options = TableOptions {
         set: LoadSet::all(2),
         tolerance: 1e-6,
-        smallest_gap: 1e-4,
+        smallest_gap: Exact::new().range().smallest,
     };
-    let table = Tabulated::build(Exact::new(), options, &|_| ()).unwrap();
-    // Below the table the exact loads have a limiting form, fitted when it is first asked for.
-    table
-        .loads(Gap::new(1e-6).unwrap(), LoadSet::all(2))
-        .unwrap();
+    let table = Tabulated::build(Arc::new(Exact::new()), options, &|_| ()).unwrap();
     // The counter sees what there is to see.
     let region = Region::new(COUNTING);
     let copy = std::hint::black_box(vec![1.0; 10]);

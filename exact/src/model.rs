@@ -175,15 +175,19 @@ const KINDS: usize = 4;
 
 /// Which of the limiting forms serves for a set.
 fn kind(set: LoadSet) -> usize {
-    usize::from(set.transverse) + 2 * usize::from(set.swirl > 0)
+    usize::from(set.transverse.any()) + 2 * usize::from(set.swirl > 0)
 }
 
 /// All loads of the kind of a set.
 fn whole(set: LoadSet) -> LoadSet {
     LoadSet {
-        transverse: set.transverse,
         swirl: if set.swirl > 0 { MAX_MODES } else { 0 },
-        ..LoadSet::all(MAX_MODES)
+        twist: true,
+        ..if set.transverse.any() {
+            LoadSet::planar(MAX_MODES)
+        } else {
+            LoadSet::axial(MAX_MODES)
+        }
     }
 }
 

@@ -5,7 +5,7 @@
 //! transverse torques; so the sum of the scalars of sphere 1 and 2 is the odd problem there, the
 //! even one for transverse forces and axial torques.
 
-use scene::{LoadSet, PairLoads, SelfOther, SwirlLoads};
+use scene::{LoadSet, PairLoads, Parities, SelfOther, SwirlLoads};
 
 use crate::ExactError;
 use crate::axial::Axial;
@@ -63,8 +63,9 @@ impl Solved {
         let modes = set.modes;
         let geometry = Geometry::new(eps, modes.max(set.swirl), factor)?;
         // Axial forces are turned round by the mirror.
-        let [sum, difference] = set.axial_parities();
-        let across = set.transverse_parities().map(|read| read || set.swirl > 0);
+        let Parities { sum, difference } = set.axial;
+        let across =
+            [set.transverse.sum, set.transverse.difference].map(|read| read || set.swirl > 0);
         let transverse = || EvenOdd::new(across, |parity| Transverse::solve(geometry, parity, set));
         Ok(Self {
             geometry,
@@ -72,7 +73,7 @@ impl Solved {
             axial: EvenOdd::new([difference, sum], |parity| {
                 Axial::solve(geometry, parity, modes)
             })?,
-            transverse: (set.transverse || set.swirl > 0)
+            transverse: (set.transverse.any() || set.swirl > 0)
                 .then(transverse)
                 .transpose()?,
         })

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use exact::Exact;
 use scene::{
@@ -18,7 +18,7 @@ fn table() -> &'static Tabulated {
             tolerance: 1e-9,
             smallest_gap: 1e-7,
         };
-        Tabulated::build(Exact::new(), options, &|_| ()).unwrap()
+        Tabulated::build(Arc::new(Exact::new()), options, &|_| ()).unwrap()
     })
 }
 

@@ -14,10 +14,11 @@
 //! # Ok::<(), scene::SceneError>(())
 //! ```
 
+use scene::mobility::{MobilitySet, ModeMobility, PairMobility};
 use scene::singular::{self, Singular};
 use scene::{
-    Configuration, Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, PairLoads, Plan, Rates,
-    Run, RunOptions, Sample, SceneError, SelfOther, SwirlLoads,
+    Configuration, Gap, GapRange, Hydrodynamics, LoadSet, ModeLoads, ModelDescription, PairLoads,
+    Plan, Rates, Run, RunOptions, Sample, SceneError, SelfOther, SwirlLoads, balance,
 };
 
 /// Gap up to which the spheres interact, in sphere radii.
@@ -90,6 +91,48 @@ impl Lubrication {
     }
 }
 
+/// The loads: resistance scalars `[xa, ya, yb, xc, yc]`, those of the first squirming mode, and those of any other.
+struct Parts {
+    rigid: [SelfOther; 5],
+    first: ModeLoads,
+    others: ModeLoads,
+}
+
+impl Parts {
+    /// Loads of a mode, counted from 0.
+    #[inline(always)]
+    fn mode(&self, n: usize) -> ModeLoads {
+        if n == 0 { self.first } else { self.others }
+    }
+}
+
+impl Lubrication {
+    /// The loads of spheres that interact.
+    #[inline(always)]
+    fn parts(&self, gap: Gap) -> Parts {
+        let Singular {
+            mut xa,
+            mut ya,
+            yb,
+            mut yc,
+            mode,
+        } = Singular::at(gap, self.axial_squirming);
+        let unit = SelfOther::new(1.0, 0.0);
+        xa += unit;
+        ya += unit;
+        yc += unit;
+        let mut first = mode;
+        let thrust = SelfOther::new(4.0, 0.0);
+        first.xf += thrust;
+        first.yf += thrust;
+        Parts {
+            rigid: [xa, ya, yb, unit, yc],
+            first,
+            others: mode,
+        }
+    }
+}
+
 impl Hydrodynamics for Lubrication {
     fn description(&self) -> ModelDescription<'_> {
         ModelDescription {
@@ -112,24 +155,22 @@ impl Hydrodynamics for Lubrication {
     fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
         set.check()?;
         RANGE.check(gap)?;
-        let Singular {
-            mut xa,
-            mut ya,
-            yb,
-            mut yc,
-            mode,
-        } = Singular::at(gap, self.axial_squirming);
-        let unit = SelfOther::new(1.0, 0.0);
-        xa += unit;
-        ya += unit;
-        yc += unit;
-        let mut first = mode;
-        let thrust = SelfOther::new(4.0, 0.0);
-        first.xf += thrust;
-        first.yf += thrust;
-        Ok(PairLoads::from_parts([xa, ya, yb, unit, yc], set, |n| {
-            if n == 0 { first } else { mode }
-        }))
+        let parts = self.parts(gap);
+        Ok(PairLoads::from_parts(parts.rigid, set, |n| parts.mode(n)))
+    }
+
+    #[inline(always)]
+    fn interacting_mobility(
+        &self,
+        gap: Gap,
+        set: MobilitySet,
+        into: (&mut PairMobility, &mut [ModeMobility]),
+    ) -> Result<(), SceneError> {
+        set.loads.check()?;
+        RANGE.check(gap)?;
+        let parts = self.parts(gap);
+        balance::solve_parts(gap, (parts.rigid, |n| parts.mode(n)), set, into);
+        Ok(())
     }
 
     #[inline]

@@ -1,4 +1,4 @@
-//! Force and torque balance of a pair of free squirmers, in closed form.
+//! From loads to mobilities: the force and torque balance of a pair of free spheres, in closed form.
 //!
 //! In sums and differences over the two spheres the resistance problem falls apart into one
 //! equation for each axial motion and a 2 x 2 system for each transverse parity. With the common
@@ -11,318 +11,257 @@
 //! [ -4 (Y11B +- Y12B)   8 (Y11C -+ Y12C) ] [ w1 -+ w2 ] = [ T1 -+ T2 ]         (transverse)
 //! ```
 //!
-//! All of it is inlined whatever its size: so the compiler sees which effects are absent, and leaves nothing
-//! of them.
+//! The coefficients of [`crate::mobility`] are its solutions for one cause after the other. All of it is inlined whatever its
+//! size, so that the compiler sees which of them are read.
 //!
-//! No pivoting is needed, and a symmetric scene stays symmetric to the last bit. The equations
+//! No pivoting is needed. The equations
 //! follow from the definitions in [`crate::loads`] with `d -> -d` for sphere 2.
 
-use std::ops::{Add, Mul, Sub};
+use crate::mobility::{
+    Across, Mobility, MobilitySet, ModeMobility, PairMobility, SwirlMobility, Twist,
+};
+use crate::{Gap, ModeLoads, PairLoads, Parities, SelfOther, SwirlLoads};
 
-use crate::{Gap, PairLoads, SelfOther, Squirmer, SwirlLoads, legendre};
-
-/// A quantity perpendicular to `d`: a number in planar motion, a vector in three dimensions.
-pub trait Transverse:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self>
-{
-}
-
-impl Transverse for f64 {}
-
-impl Transverse for nalgebra::Vector3<f64> {}
-
-/// A squirmer's orientation in the pair frame.
-#[derive(Clone, Copy, Debug)]
-pub struct Heading<T> {
-    /// `p . d_k`, where `d_k` points from this squirmer to the other one.
-    pub cosine: f64,
-    /// The part of `p` perpendicular to `d`, in axes common to both squirmers.
-    pub transverse: T,
-}
-
-/// Loads of other than hydrodynamic origin.
-#[derive(Clone, Copy, Debug)]
-pub struct External<T> {
-    /// Repulsive force that drives the two apart, per `pi mu a`.
-    pub repulsion: f64,
-    /// Torques as `T x d`, per `pi mu a^2`.
-    pub torque: Option<[T; 2]>,
-}
-
-/// How a pair moves at one instant. Velocities are in units of length over time with `a = 1`.
-#[derive(Clone, Copy, Debug)]
-pub struct PairVelocity<T> {
-    /// `d(ln eps)/dt`.
-    pub opening: f64,
-    /// Mean velocity of the two along `d`.
-    pub mean_axial: f64,
-    /// Mean velocity of the two across `d`.
-    pub mean_transverse: T,
-    /// `d(d)/dt`, the rate at which the line of centres turns.
-    pub turning: T,
-    /// `omega_k x d` of each squirmer.
-    pub spin: [T; 2],
-}
-
-/// Squirming loads on the two spheres, as sums and differences (1 + 2 and 1 - 2).
-struct Squirming<T> {
-    axial: SelfOther,
-    force_sum: T,
-    force_difference: T,
-    torque_sum: T,
-    torque_difference: T,
-}
-
+/// The inverse of `[6a, -4b; -4b, 8c]`: `[U by F, U by T = w by F, w by T]`.
 #[inline(always)]
-fn squirming<T: Transverse>(
-    loads: &PairLoads,
-    squirmers: &[Squirmer; 2],
-    headings: &[Heading<T>; 2],
-) -> Squirming<T> {
-    let mut axial = SelfOther::default();
-    let mut force = [0.0; 4];
-    let [one, two] = headings;
-    let orders = legendre(one.cosine).zip(legendre(two.cosine));
-    // Per unit transverse heading of squirmer 1 and 2: [F+, F-, T+, T-], each a pair.
-    let mut second = [0.0; 4];
-    for (n, (of_one, of_two)) in (0..loads.set().modes).zip(orders) {
-        let mode = loads.mode(n);
-        let [b1, b2] = [squirmers[0].mode(n), squirmers[1].mode(n)];
-        let (q1, q2) = (b1 * of_one.p, b2 * of_two.p);
-        axial.sum += (q1 - q2) * mode.xf.sum;
-        axial.difference += (q1 + q2) * mode.xf.difference;
-        for (coefficients, strength) in [(&mut force, b1 * of_one.w), (&mut second, b2 * of_two.w)]
-        {
-            coefficients[0] += strength * mode.yf.sum;
-            coefficients[1] += strength * mode.yf.difference;
-            coefficients[2] += strength * mode.yt.sum;
-            coefficients[3] += strength * mode.yt.difference;
+fn inverse(a: f64, b: f64, c: f64) -> [f64; 3] {
+    let inverse = 1.0 / (48.0 * a * c - 16.0 * b * b);
+    [8.0 * c * inverse, 4.0 * b * inverse, 6.0 * a * inverse]
+}
+
+/// The transverse part of the balance, solved for a unit force and a unit torque on the pair.
+#[derive(Clone, Copy)]
+struct Transverse {
+    /// Half of the motion `U1 + U2`, `w1 - w2`: means and half differences.
+    alike: [f64; 3],
+    /// Of the motion `U1 - U2`, `w1 + w2`: turning, and half of the spin.
+    turning: [f64; 2],
+    mean_spin: [f64; 2],
+}
+
+impl Transverse {
+    #[inline(always)]
+    fn new(gap: Gap, [_, ya, yb, _, yc]: [SelfOther; 5], set: MobilitySet) -> Self {
+        let Parities {
+            sum: even,
+            difference: odd,
+        } = set.loads.transverse;
+        let half = |solved: [f64; 3]| solved.map(|of| 0.5 * of);
+        let alike = if even {
+            half(inverse(ya.sum, yb.sum, yc.difference))
+        } else {
+            [0.0; 3]
+        };
+        if !odd {
+            return Self {
+                alike,
+                turning: [0.0; 2],
+                mean_spin: [0.0; 2],
+            };
+        }
+        let [by_force, crossed, by_torque] = inverse(ya.difference, yb.difference, yc.sum);
+        // d(d)/dt is the difference of the velocities, of 2 from 1, over the distance.
+        let rate = -1.0 / gap.distance();
+        Self {
+            alike,
+            turning: [by_force * rate, crossed * rate],
+            mean_spin: [0.5 * crossed, 0.5 * by_torque],
         }
     }
-    let [v1, v2] = [one.transverse, two.transverse];
-    Squirming {
-        axial,
-        force_sum: v1 * force[0] + v2 * second[0],
-        force_difference: v1 * force[1] - v2 * second[1],
-        torque_sum: v1 * force[2] - v2 * second[2],
-        torque_difference: v1 * force[3] + v2 * second[3],
+
+    /// By forces and torques: `F1 + F2` and `T1 - T2` of a cause that moves the two alike, `F1 - F2` and `T1 + T2` of one that moves them
+    /// oppositely.
+    #[inline(always)]
+    fn by(&self, alike: [f64; 2], opposite: [f64; 2]) -> Across {
+        let [by_force, crossed, by_torque] = self.alike;
+        Across {
+            mean_transverse: by_force * alike[0] + crossed * alike[1],
+            counter_spin: crossed * alike[0] + by_torque * alike[1],
+            turning: self.turning[0] * opposite[0] + self.turning[1] * opposite[1],
+            mean_spin: self.mean_spin[0] * opposite[0] + self.mean_spin[1] * opposite[1],
+        }
     }
 }
 
-/// Solution `(U, w)` of `[6a, -4b; -4b, 8c] (U, w) = (force, torque)`.
-#[inline(always)]
-fn solve_transverse<T: Transverse>(a: f64, b: f64, c: f64, force: T, torque: T) -> (T, T) {
-    let inverse = 1.0 / (48.0 * a * c - 16.0 * b * b);
-    (
-        (force * (8.0 * c) + torque * (4.0 * b)) * inverse,
-        (force * (4.0 * b) + torque * (6.0 * a)) * inverse,
-    )
-}
-
-/// Velocities of the force- and torque-free pair (but for `external`) at `gap` with the given
-/// `loads`; `headings` in the pair frame.
+/// The coefficients of `set` by the balance of `loads`, which must hold those of the set.
 ///
 /// ```
-/// use scene::{Gap, LoadSet, PairLoads, Squirmer, balance::{External, Heading, pair_velocity}};
-/// // Far apart, a squirmer that points at the other one swims at V_s = 2 B_1/3.
-/// let squirmers = [Squirmer::with_beta(1.0, 5.0)?, Squirmer::new(&[])?];
-/// let ahead = Heading { cosine: 1.0, transverse: 0.0 };
-/// let external = External { repulsion: 0.0, torque: None };
-/// let far = Gap::new(1e6)?;
-/// let v = pair_velocity(far, &PairLoads::isolated(LoadSet::all(2)), &squirmers, &[ahead, ahead], &external);
-/// assert!((v.mean_axial - 0.5).abs() < 1e-15);
-/// assert!((v.opening * far.eps() + 1.0).abs() < 1e-15);
+/// use scene::{Gap, LoadSet, PairLoads, balance, mobility::MobilitySet};
+/// // A lone sphere moves by a force at F/(6 pi mu a): two that are driven apart by 1/(3 pi mu a).
+/// let set = MobilitySet { loads: LoadSet::all(1), torque: true };
+/// let mobility = balance::solve(Gap::new(1e6)?, &PairLoads::isolated(set.loads), set);
+/// assert!((mobility.pair.repulsion * 1e6 - 1.0 / 3.0).abs() < 1e-15);
 /// # Ok::<(), scene::SceneError>(())
 /// ```
-#[inline(always)]
-pub fn pair_velocity<T: Transverse>(
-    gap: Gap,
-    loads: &PairLoads,
-    squirmers: &[Squirmer; 2],
-    headings: &[Heading<T>; 2],
-    external: &External<T>,
-) -> PairVelocity<T> {
-    balanced(gap, loads, &squirming(loads, squirmers, headings), external)
-}
-
-/// How one squirmer of a planar pair is the image of the other, which is identical but for this.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Image {
-    /// Turned by pi about the midpoint: opposite transverse headings.
-    Point,
-    /// In the mirror between the two: the same headings.
-    Mirror,
-}
-
-/// [`pair_velocity`] of a pair that is its own image, with the same bits; `heading` and `squirmer` are those of
-/// the first. What cancels between the two is not formed: one transverse block of the balance is left, and
-/// half of the loads.
-#[inline(always)]
-pub(crate) fn symmetric_velocity(
-    image: Image,
-    gap: Gap,
-    loads: &PairLoads,
-    squirmer: &Squirmer,
-    heading: &Heading<f64>,
-    external: &External<f64>,
-) -> PairVelocity<f64> {
-    let opposed = image == Image::Point;
-    // Of translations across the line, and of torques and spins, whose parity is the other one.
-    let across = |s: SelfOther| if opposed { s.difference } else { s.sum };
-    let crossed = |s: SelfOther| if opposed { s.sum } else { s.difference };
-    let (mut axial, mut force, mut torque) = (0.0, 0.0, 0.0);
-    for (n, order) in (0..loads.set().modes).zip(legendre(heading.cosine)) {
-        let (mode, b) = (loads.mode(n), squirmer.mode(n));
-        axial += 2.0 * (b * order.p) * mode.xf.difference;
-        let strength = b * order.w;
-        force += strength * across(mode.yf);
-        torque += strength * crossed(mode.yt);
-    }
-    let both = 2.0 * heading.transverse;
-    let torque = match external.torque {
-        Some([t1, t2]) if opposed => both * torque + (t1 + t2),
-        Some([t1, t2]) => both * torque + (t1 - t2),
-        None => both * torque,
-    };
-    let (speed, spin) = solve_transverse(
-        across(loads.ya),
-        across(loads.yb),
-        crossed(loads.yc),
-        both * force,
-        torque,
-    );
-    let spin = 0.5 * spin;
-    let (turning, mean_transverse) = if opposed {
-        (turning(gap, speed), 0.0)
-    } else {
-        (0.0, 0.5 * speed)
-    };
-    PairVelocity {
-        opening: opening(gap, loads, axial, external.repulsion),
-        mean_axial: 0.0,
-        mean_transverse,
-        turning,
-        spin: [spin, if opposed { spin } else { -spin }],
-    }
-}
-
-/// `d(ln eps)/dt` by the difference of the axial slip forces.
-#[inline(always)]
-fn opening(gap: Gap, loads: &PairLoads, slip_difference: f64, repulsion: f64) -> f64 {
-    // Near contact X11A - X12A goes as 1/(2 eps), so this product is of order one.
-    // The quotient does not wait for the force.
-    (slip_difference - 2.0 * repulsion) * (-1.0 / (6.0 * (loads.xa.difference * gap.eps())))
-}
-
-/// Rate at which the line of centres turns, by the difference of the velocities across it.
-#[inline(always)]
-fn turning<T: Transverse>(gap: Gap, difference: T) -> T {
-    difference * (-1.0 / gap.distance())
-}
-
-/// [`pair_velocity`] with swirl; `turned` are the transverse headings turned by a quarter, `d x v`.
-#[inline]
-pub fn pair_velocity_with_swirl<T: Transverse>(
-    gap: Gap,
-    (loads, swirl): (&PairLoads, &SwirlLoads),
-    squirmers: &[Squirmer; 2],
-    (headings, turned): (&[Heading<T>; 2], &[T; 2]),
-    external: &External<T>,
-) -> PairVelocity<T> {
-    let mut slip = squirming(loads, squirmers, headings);
-    // Per unit transverse heading of each squirmer: [F+, F-, T+, T-].
-    let mut of = [[0.0; 4]; 2];
-    for (k, coefficients) in of.iter_mut().enumerate() {
-        let orders = legendre(headings[k].cosine);
-        let modes = squirmers[k].swirl().iter().zip(swirl.modes());
-        for ((c, mode), order) in modes.zip(orders) {
-            let strength = c * order.w;
-            coefficients[0] += strength * mode.yfc.sum;
-            coefficients[1] += strength * mode.yfc.difference;
-            coefficients[2] += strength * mode.ytc.sum;
-            coefficients[3] += strength * mode.ytc.difference;
-        }
-    }
-    // Torques along `t` are `-d x t` in the form `T x d`.
-    let ([v1, v2], [along, second]) = (*turned, of);
-    slip.force_sum = slip.force_sum + v1 * along[0] - v2 * second[0];
-    slip.force_difference = slip.force_difference + v1 * along[1] + v2 * second[1];
-    slip.torque_sum = slip.torque_sum - v1 * along[2] - v2 * second[2];
-    slip.torque_difference = slip.torque_difference - v1 * along[3] + v2 * second[3];
-    balanced(gap, loads, &slip, external)
-}
-
-/// Spin of each squirmer about `d` by the axial torques of swirl.
 #[inline]
 #[must_use]
-pub fn axial_spin_by_swirl<T>(
-    (loads, swirl): (&PairLoads, &SwirlLoads),
-    squirmers: &[Squirmer; 2],
-    headings: &[Heading<T>; 2],
-) -> [f64; 2] {
-    let of = |k: usize| {
-        squirmers[k]
-            .swirl()
-            .iter()
-            .zip(legendre(headings[k].cosine))
-    };
-    let mut torque = SelfOther::default();
-    for (mode, (c, order)) in swirl.modes().iter().zip(of(0)) {
-        torque.sum += c * order.p * mode.xtc.sum;
-        torque.difference += c * order.p * mode.xtc.difference;
-    }
-    for (mode, (c, order)) in swirl.modes().iter().zip(of(1)) {
-        torque.sum -= c * order.p * mode.xtc.sum;
-        torque.difference += c * order.p * mode.xtc.difference;
-    }
-    axial_spins(loads, torque)
+pub fn solve(gap: Gap, loads: &PairLoads, set: MobilitySet) -> Mobility {
+    let mut mobility = Mobility::default();
+    let Mobility { pair, modes } = &mut mobility;
+    solve_into(gap, loads, set, (pair, modes));
+    mobility
 }
 
-/// Spins about `d` by torques about it, per `pi mu a^2`, as sum and difference over the spheres.
-#[inline]
-pub(crate) fn axial_spins(loads: &PairLoads, torque: SelfOther) -> [f64; 2] {
-    let sum = torque.sum / (8.0 * loads.xc.sum);
-    let difference = torque.difference / (8.0 * loads.xc.difference);
-    [0.5 * (sum + difference), 0.5 * (sum - difference)]
-}
-
+/// [`solve`], to be filled in, with room for the modes of the set.
 #[inline(always)]
-fn balanced<T: Transverse>(
+pub fn solve_into(
     gap: Gap,
     loads: &PairLoads,
-    slip: &Squirming<T>,
-    external: &External<T>,
-) -> PairVelocity<T> {
-    // Nothing is added where there is none: the compiler sees which it is.
-    let (torque_sum, torque_difference) = match external.torque {
-        Some([t1, t2]) => (
-            slip.torque_sum + (t1 + t2),
-            slip.torque_difference + (t1 - t2),
-        ),
-        None => (slip.torque_sum, slip.torque_difference),
+    set: MobilitySet,
+    into: (&mut PairMobility, &mut [ModeMobility]),
+) {
+    let rigid = [loads.xa, loads.ya, loads.yb, loads.xc, loads.yc];
+    solve_parts(gap, (rigid, |n| loads.mode(n)), set, into);
+}
+
+/// The same from the resistance scalars `[xa, ya, yb, xc, yc]` and the loads by each squirming mode, counted from 0: for a closed form, whose
+/// loads need not be put together first.
+#[inline(always)]
+pub fn solve_parts(
+    gap: Gap,
+    (rigid, mode_loads): ([SelfOther; 5], impl Fn(usize) -> ModeLoads),
+    set: MobilitySet,
+    (pair, modes): (&mut PairMobility, &mut [ModeMobility]),
+) {
+    let [xa, _, _, xc, _] = rigid;
+    let Parities {
+        sum: drifts,
+        difference: opens,
+    } = set.loads.axial;
+    // Near contact X11A - X12A goes as 1/(2 eps), so this product is of order one.
+    let opening = if opens {
+        -1.0 / (6.0 * (xa.difference * gap.eps()))
+    } else {
+        0.0
     };
-    let (sum, spin_difference) = solve_transverse(
-        loads.ya.sum,
-        loads.yb.sum,
-        loads.yc.difference,
-        slip.force_sum,
-        torque_difference,
-    );
-    let (difference, spin_sum) = solve_transverse(
-        loads.ya.difference,
-        loads.yb.difference,
-        loads.yc.sum,
-        slip.force_difference,
-        torque_sum,
-    );
-    PairVelocity {
-        opening: opening(gap, loads, slip.axial.difference, external.repulsion),
-        mean_axial: slip.axial.sum / (12.0 * loads.xa.sum),
-        mean_transverse: sum * 0.5,
-        turning: turning(gap, difference),
-        spin: [
-            (spin_sum + spin_difference) * 0.5,
-            (spin_sum - spin_difference) * 0.5,
-        ],
+    let mean_axial = if drifts { 1.0 / (12.0 * xa.sum) } else { 0.0 };
+    pair.repulsion = -2.0 * opening;
+    let transverse = Transverse::new(gap, rigid, set);
+    for (n, of_mode) in modes.iter_mut().enumerate().take(set.loads.modes) {
+        let mode = mode_loads(n);
+        *of_mode = ModeMobility {
+            opening: mode.xf.difference * opening,
+            mean_axial: mode.xf.sum * mean_axial,
+            across: transverse.by(
+                [mode.yf.sum, mode.yt.difference],
+                [mode.yf.difference, mode.yt.sum],
+            ),
+        };
+    }
+    if set.torque {
+        pair.torque = transverse.by([0.0, 1.0], [0.0, 1.0]);
+    }
+    if set.loads.twist {
+        pair.twist = Twist {
+            mean: 1.0 / (16.0 * xc.sum),
+            half_difference: 1.0 / (16.0 * xc.difference),
+        };
+    }
+}
+
+/// Fills in the coefficients by the swirl modes of `set`. Of the loads those of rigid motion are read, with rotation about `d`.
+#[inline]
+pub fn solve_swirl_into(
+    gap: Gap,
+    (loads, swirl): (&PairLoads, &SwirlLoads),
+    set: MobilitySet,
+    mobility: &mut [SwirlMobility],
+) {
+    let rigid = [loads.xa, loads.ya, loads.yb, loads.xc, loads.yc];
+    let transverse = Transverse::new(gap, rigid, set);
+    let twist = [loads.xc.sum, loads.xc.difference].map(|drag| 1.0 / (16.0 * drag));
+    for (of_mode, mode) in mobility.iter_mut().zip(swirl.modes()) {
+        *of_mode = SwirlMobility {
+            twist: Twist {
+                mean: mode.xtc.sum * twist[0],
+                half_difference: mode.xtc.difference * twist[1],
+            },
+            // Forces are along d x t; torques along t are -d x t in the form T x d.
+            across: transverse.by(
+                [mode.yfc.sum, -mode.ytc.difference],
+                [mode.yfc.difference, -mode.ytc.sum],
+            ),
+        };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mobility::{External, Heading, pair_velocity};
+    use crate::{LoadSet, Squirmer, legendre};
+    use approx::assert_relative_eq;
+
+    /// Loads that no fluid has, all different.
+    fn made_up(set: LoadSet) -> PairLoads {
+        let columns: Vec<f64> = (0..set.column_count())
+            .map(|k| 1.0 + 0.3 * (2.7 * k as f64).sin() + if k < 10 { 2.0 } else { 0.0 })
+            .collect();
+        let mut loads = PairLoads::from_columns(set, set, &columns);
+        loads.yb = SelfOther::new(-0.4, 0.1);
+        loads
+    }
+
+    /// Forces along x and y and torque along z on both spheres, per `pi mu`, by the definitions in [`crate::loads`] for one
+    /// sphere that moves or squirms, with the direction to the other one along `side` x.
+    fn exerted(
+        loads: &PairLoads,
+        side: f64,
+        ([ux, uy], spin): ([f64; 2], f64),
+        squirmer: &Squirmer,
+        heading: &Heading<f64>,
+    ) -> [[f64; 3]; 2] {
+        let (along, about) = (side * ux, side * spin);
+        let of = |own: bool| {
+            let pick = |s: SelfOther| if own { s.own() } else { s.other() };
+            let sign = if own { 1.0 } else { -1.0 };
+            let mut fd = -6.0 * pick(loads.xa) * along;
+            let mut ft = -6.0 * pick(loads.ya) * uy + 4.0 * pick(loads.yb) * about;
+            let mut t = sign * 4.0 * pick(loads.yb) * uy - 8.0 * pick(loads.yc) * about;
+            for ((n, order), mode) in legendre(heading.cosine).enumerate().zip(loads.modes()) {
+                let b = squirmer.mode(n);
+                let across = b * order.w * heading.transverse;
+                fd += b * order.p * pick(mode.xf);
+                ft += across * pick(mode.yf);
+                t += across * pick(mode.yt);
+            }
+            [side * fd, ft, side * t]
+        };
+        [of(true), of(false)]
+    }
+
+    #[test]
+    fn val_forces_and_torques_on_each_sphere_cancel() {
+        let loads = made_up(LoadSet::planar(3));
+        let squirmers = [[1.5, -2.0, 0.7], [0.4, 3.0, -1.1]].map(|b| Squirmer::new(&b).unwrap());
+        let [one, two] =
+            [(0.6, 0.8), (-0.28, 0.96)].map(|(cosine, transverse)| Heading { cosine, transverse });
+        let (repulsion, torque) = (0.9, [0.31, -1.7]);
+        let set = MobilitySet {
+            loads: loads.set(),
+            torque: true,
+        };
+        let gap = Gap::new(0.37).unwrap();
+        let Mobility { pair, modes } = solve(gap, &loads, set);
+        let external = External {
+            repulsion,
+            torque: Some(torque),
+        };
+        let v = pair_velocity((&pair, &modes[..3]), &squirmers, &[one, two], &external);
+        let motion = |side: f64, k: usize| {
+            let (apart, around) = (v.opening * gap.eps(), v.turning * gap.distance());
+            let u = [
+                v.mean_axial - 0.5 * side * apart,
+                v.mean_transverse - 0.5 * side * around,
+            ];
+            (u, v.spin[k])
+        };
+        let by_one = exerted(&loads, 1.0, motion(1.0, 0), &squirmers[0], &one);
+        let by_two = exerted(&loads, -1.0, motion(-1.0, 1), &squirmers[1], &two);
+        for i in 0..3 {
+            let added = [[-repulsion, 0.0, torque[0]], [repulsion, 0.0, torque[1]]];
+            assert_relative_eq!(by_one[0][i] + by_two[1][i], -added[0][i], epsilon = 1e-12);
+            assert_relative_eq!(by_one[1][i] + by_two[0][i], -added[1][i], epsilon = 1e-12);
+        }
     }
 }

@@ -4,8 +4,12 @@ use std::f64::consts::{FRAC_1_PI, LN_2};
 
 use nalgebra::Vector3;
 
+use crate::elementary::exp;
 use crate::squirmer::finite;
 use crate::{Gap, SceneError};
+
+/// `kappa2 eps` beyond which repulsion is none: it is below 1e-130 of its strength, and nobody waits for an exponential.
+const NEGLIGIBLE: f64 = 300.0;
 
 /// Short-range repulsion that keeps the spheres apart (the paper's Eq. 4, after Ishikawa &
 /// Pedley 2007): `kappa1 kappa2 e/(1 - e)` with `e = exp(-kappa2 eps)`, per `mu a^2` and time.
@@ -64,9 +68,12 @@ impl Repulsion {
     pub fn force(&self, gap: Gap) -> f64 {
         let scale = self.strength * self.decay * FRAC_1_PI;
         let decayed = self.decay * gap.eps();
+        if decayed > NEGLIGIBLE {
+            return 0.0;
+        }
         if decayed > LN_2 {
             // Half the time of the other form, and as accurate where e is below a half.
-            let e = (-decayed).exp();
+            let e = exp(-decayed);
             return scale * e / (1.0 - e);
         }
         // e/(1 - e) without cancellation at small gaps.
@@ -135,6 +142,18 @@ pub(crate) fn unit(what: &'static str, vector: Vector3<f64>) -> Result<Vector3<f
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn val_repulsion_decays_until_it_is_none() {
+        let force = |decayed: f64| Repulsion::PAPER.force(Gap::new(decayed / 100.0).unwrap());
+        let scale = 1000.0 * FRAC_1_PI;
+        for decayed in [1e-9, 0.1, 0.69, 0.7, 5.0, 80.0, 299.0_f64] {
+            let expected = scale / decayed.exp_m1();
+            assert!((force(decayed) / expected - 1.0).abs() < 1e-14, "{decayed}");
+        }
+        assert!(force(299.0) < 1e-126 && force(299.0) > 0.0);
+        assert_eq!([force(301.0), force(1e6)].map(f64::to_bits), [0; 2]);
+    }
 
     #[test]
     fn a_direction_does_not_depend_on_its_length() {

@@ -1,6 +1,7 @@
 //! The one number that all pair hydrodynamics depends on: `eps = |x2 - x1|/a - 2`.
 
 use crate::SceneError;
+use crate::elementary::exp;
 
 /// Dimensionless gap `eps = |x2 - x1|/a - 2 > 0` between the surfaces of two equal spheres.
 ///
@@ -39,7 +40,7 @@ impl Gap {
     #[inline]
     #[must_use]
     pub fn from_ln(ln: f64) -> Self {
-        Self { eps: ln.exp(), ln }
+        Self { eps: exp(ln), ln }
     }
 
     /// `eps`, in sphere radii.

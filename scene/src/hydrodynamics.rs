@@ -1,10 +1,9 @@
 //! What a hydrodynamic model is: a function from the gap to the loads of the pair.
 
-use std::sync::Arc;
-
 use serde::{Deserialize, Serialize};
 
-use crate::{Gap, LoadSet, PairLoads, SceneError, SwirlLoads};
+use crate::mobility::{Mobility, MobilitySet, ModeMobility, PairMobility, SwirlMobilities};
+use crate::{Gap, LoadSet, PairLoads, SceneError, SwirlLoads, balance};
 
 /// Gaps for which a model vouches, `smallest <= eps <= largest` (in sphere radii).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -58,7 +57,7 @@ pub struct ModelDescription<'a> {
     /// about the discretisation error: tables must not interpolate across them.
     pub seams: &'a [f64],
     /// Size of the model's noise between seams (rounding, quadrature), relative to the larger of
-    /// the load and 1: a table tighter than this would interpolate noise.
+    /// the load and 1. A table of mobilities tighter than this would interpolate noise.
     pub noise: f64,
 }
 
@@ -111,6 +110,50 @@ pub trait Hydrodynamics: Send + Sync {
         set: LoadSet,
     ) -> Result<(PairLoads, SwirlLoads), SceneError>;
 
+    /// Fills in the coefficients of `set` at `gap`, but for those by swirl, of spheres that interact, as
+    /// [`Self::interacting_loads`] does the loads. There is room for all modes of the set. By default they follow from the loads by [`balance::solve_into`]; a model of
+    /// mobilities gives its own.
+    ///
+    /// # Errors
+    /// As [`Self::interacting_loads`].
+    #[inline(always)]
+    fn interacting_mobility(
+        &self,
+        gap: Gap,
+        set: MobilitySet,
+        into: (&mut PairMobility, &mut [ModeMobility]),
+    ) -> Result<(), SceneError> {
+        // Matched by reference: the loads are too large to be moved about.
+        match &self.interacting_loads(gap, set.loads) {
+            Ok(loads) => {
+                balance::solve_into(gap, loads, set, into);
+                Ok(())
+            }
+            Err(error) => Err(error.clone()),
+        }
+    }
+
+    /// The same with the coefficients by the swirl modes of `set`.
+    ///
+    /// # Errors
+    /// As [`Self::interacting_loads`].
+    fn interacting_mobility_with_swirl(
+        &self,
+        gap: Gap,
+        set: MobilitySet,
+        into: (&mut PairMobility, &mut [ModeMobility]),
+        swirl: &mut SwirlMobilities,
+    ) -> Result<(), SceneError> {
+        match &self.interacting_loads_with_swirl(gap, set.loads) {
+            Ok((loads, of_swirl)) => {
+                balance::solve_into(gap, loads, set, into);
+                balance::solve_swirl_into(gap, (loads, of_swirl), set, swirl);
+                Ok(())
+            }
+            Err(error) => Err(error.clone()),
+        }
+    }
+
     /// The model's own estimate of its error at `gap`: the largest over all loads of the error
     /// relative to the larger of the load and 1. None for a model that has none: a closed form such as lubrication
     /// theory is exact as a formula, and does not know what the formula is worth.
@@ -148,6 +191,21 @@ pub trait Hydrodynamics: Send + Sync {
         }
     }
 
+    /// The coefficients of `set` at `gap`, but for those by swirl: beyond the cut those of lone spheres.
+    ///
+    /// # Errors
+    /// As [`Self::interacting_loads`].
+    fn mobility(&self, gap: Gap, set: MobilitySet) -> Result<Mobility, SceneError> {
+        if self.is_cut(gap) {
+            let lone = PairLoads::isolated(set.loads.check()?);
+            return Ok(balance::solve(gap, &lone, set));
+        }
+        let mut mobility = Mobility::default();
+        let Mobility { pair, modes } = &mut mobility;
+        self.interacting_mobility(gap, set, (pair, modes))?;
+        Ok(mobility)
+    }
+
     /// Whether `gap` lies beyond the cut.
     fn is_cut(&self, gap: Gap) -> bool {
         self.cutoff().is_some_and(|cut| gap.eps() > cut)
@@ -161,32 +219,5 @@ pub trait Hydrodynamics: Send + Sync {
     /// Gap beyond which the spheres do not interact at all, if there is one.
     fn cutoff(&self) -> Option<f64> {
         self.description().cutoff
-    }
-}
-
-/// A model that several callers share.
-impl<H: Hydrodynamics + ?Sized> Hydrodynamics for Arc<H> {
-    fn description(&self) -> ModelDescription<'_> {
-        self.as_ref().description()
-    }
-
-    fn fingerprint(&self) -> String {
-        self.as_ref().fingerprint()
-    }
-
-    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
-        self.as_ref().interacting_loads(gap, set)
-    }
-
-    fn interacting_loads_with_swirl(
-        &self,
-        gap: Gap,
-        set: LoadSet,
-    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
-        self.as_ref().interacting_loads_with_swirl(gap, set)
-    }
-
-    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
-        self.as_ref().error_estimate(gap, set)
     }
 }

@@ -11,6 +11,7 @@
 
 pub mod balance;
 mod effects;
+pub mod elementary;
 mod error;
 mod frame;
 mod gap;
@@ -19,6 +20,7 @@ mod isolated;
 mod legendre;
 mod load_set;
 pub mod loads;
+pub mod mobility;
 pub mod motion;
 pub mod ode;
 mod plan;
@@ -38,13 +40,13 @@ pub use gap::Gap;
 pub use hydrodynamics::{GapRange, Hydrodynamics, ModelDescription};
 pub use isolated::Isolated;
 pub use legendre::{Legendre, legendre};
-pub use load_set::{Exchange, LoadSet};
+pub use load_set::{LoadSet, Parities};
 pub use loads::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
 pub use motion::{
     BoundState, Counters, Outcome, Run, RunOptions, Sample, bound_states, rates, rates_monomorphic,
     run, run_monomorphic, run_observed, run_plan,
 };
-pub use plan::{NeededLoads, Parities, Plan, PlanRow, State, SymmetryClass};
+pub use plan::{NeededLoads, Plan, PlanRow, State, SymmetryClass};
 pub use scene::{Orientation, Pose, Scene};
 pub use squirmer::Squirmer;
 pub use swirl::{SwirlLoads, SwirlModeLoads};

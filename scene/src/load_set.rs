@@ -5,22 +5,65 @@ use serde::{Deserialize, Serialize};
 use crate::loads::MAX_MODES;
 use crate::{PairLoads, SceneError};
 
-/// Which combinations of the spheres are read: the pair does not drift along its line of centres if the second
-/// squirmer is an image of the first.
+/// Which of the two combinations over the spheres are read: sum, difference, both or none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum Exchange {
-    /// Sums and differences.
-    #[default]
-    None,
-    /// The second is the first turned by pi about the midpoint: differences of `XA, XF, YA, YB, YF`, sums of
-    /// `YC, YT`.
-    Point,
-    /// The second is the mirror image of the first: differences of `XA, XF, YC, YT`, sums of `YA, YB, YF`.
-    Mirror,
+pub struct Parities {
+    /// The sum.
+    pub sum: bool,
+    /// The difference.
+    pub difference: bool,
 }
 
-/// The loads that a caller will read: a model computes these alone, a table has columns for these
-/// alone. Axial translation and its squirming loads are in every set.
+impl Parities {
+    /// Neither.
+    pub const NONE: Self = Self {
+        sum: false,
+        difference: false,
+    };
+    /// The sum alone.
+    pub const SUM: Self = Self {
+        sum: true,
+        difference: false,
+    };
+    /// The difference alone.
+    pub const DIFFERENCE: Self = Self {
+        sum: false,
+        difference: true,
+    };
+    /// Both.
+    pub const BOTH: Self = Self {
+        sum: true,
+        difference: true,
+    };
+
+    /// Whether any is read.
+    #[must_use]
+    pub const fn any(self) -> bool {
+        self.sum || self.difference
+    }
+
+    const fn or(self, other: Self) -> Self {
+        Self {
+            sum: self.sum || other.sum,
+            difference: self.difference || other.difference,
+        }
+    }
+
+    const fn holds(self, other: Self) -> bool {
+        (self.sum || !other.sum) && (self.difference || !other.difference)
+    }
+
+    /// The difference for the sum, and the other way round.
+    pub(crate) const fn crossed(self) -> Self {
+        Self {
+            sum: self.difference,
+            difference: self.sum,
+        }
+    }
+}
+
+/// The loads that a caller will read: a model computes these alone, a table has columns for what follows from
+/// these.
 ///
 /// ```
 /// use scene::LoadSet;
@@ -31,15 +74,15 @@ pub enum Exchange {
 pub struct LoadSet {
     /// Squirming modes, 1 to this.
     pub modes: usize,
-    /// Motion and squirming across the line of centres: `YA, YB, YC, YF, YT`.
-    pub transverse: bool,
+    /// Axial translation and squirming: `XA, XF`.
+    pub axial: Parities,
+    /// Motion and squirming across the line of centres: `YA, YB, YF`; of `YC, YT` the other combinations, because opposed spins
+    /// go with like translations.
+    pub transverse: Parities,
     /// Rotation about the line of centres: `XC`.
     pub twist: bool,
     /// Swirl modes, 1 to this: [`crate::SwirlLoads`], all three loads of each.
     pub swirl: usize,
-    /// Which combinations of these are read. All that is said of a single sphere's load needs
-    /// [`Exchange::None`].
-    pub exchange: Exchange,
 }
 
 impl LoadSet {
@@ -48,10 +91,10 @@ impl LoadSet {
     pub const fn axial(modes: usize) -> Self {
         Self {
             modes,
-            transverse: false,
+            axial: Parities::BOTH,
+            transverse: Parities::NONE,
             twist: false,
             swirl: 0,
-            exchange: Exchange::None,
         }
     }
 
@@ -59,11 +102,8 @@ impl LoadSet {
     #[must_use]
     pub const fn all(modes: usize) -> Self {
         Self {
-            modes,
-            transverse: true,
             twist: true,
-            swirl: 0,
-            exchange: Exchange::None,
+            ..Self::planar(modes)
         }
     }
 
@@ -71,11 +111,8 @@ impl LoadSet {
     #[must_use]
     pub const fn planar(modes: usize) -> Self {
         Self {
-            modes,
-            transverse: true,
-            twist: false,
-            swirl: 0,
-            exchange: Exchange::None,
+            transverse: Parities::BOTH,
+            ..Self::axial(modes)
         }
     }
 
@@ -83,11 +120,8 @@ impl LoadSet {
     #[must_use]
     pub const fn axial_and_twist(modes: usize) -> Self {
         Self {
-            modes,
-            transverse: false,
             twist: true,
-            swirl: 0,
-            exchange: Exchange::None,
+            ..Self::axial(modes)
         }
     }
 
@@ -102,36 +136,58 @@ impl LoadSet {
     pub fn union(self, other: Self) -> Self {
         Self {
             modes: self.modes.max(other.modes),
-            transverse: self.transverse || other.transverse,
+            axial: self.axial.or(other.axial),
+            transverse: self.transverse.or(other.transverse),
             twist: self.twist || other.twist,
             swirl: self.swirl.max(other.swirl),
-            exchange: if self.exchange == other.exchange {
-                self.exchange
-            } else {
-                Exchange::None
-            },
         }
     }
 
-    /// The same for a pair with a symmetry, which rules out twist and swirl.
+    /// What is read of a pair whose second squirmer is the first turned by pi about the midpoint: differences of `XA, XF, YA, YB,
+    /// YF`, sums of `YC, YT`.
     #[must_use]
-    pub const fn of_symmetric(self, exchange: Exchange) -> Self {
-        Self { exchange, ..self }
+    pub const fn point_symmetric(self) -> Self {
+        Self {
+            axial: Parities {
+                sum: false,
+                ..self.axial
+            },
+            transverse: Parities {
+                sum: false,
+                ..self.transverse
+            },
+            ..self
+        }
     }
 
-    /// Whether sums and differences over the spheres are read of axial forces.
+    /// What is read of a pair whose second squirmer is the mirror image of the first: differences of `XA, XF, YC, YT`, sums of `YA,
+    /// YB, YF`.
     #[must_use]
-    pub const fn axial_parities(self) -> [bool; 2] {
-        [matches!(self.exchange, Exchange::None), true]
+    pub const fn mirror_symmetric(self) -> Self {
+        Self {
+            axial: Parities {
+                sum: false,
+                ..self.axial
+            },
+            transverse: Parities {
+                difference: false,
+                ..self.transverse
+            },
+            ..self
+        }
     }
 
-    /// The same of transverse forces; of transverse torques by rotation and slip it is the other way round.
+    /// The same with both combinations of each kind of load that there is.
     #[must_use]
-    pub const fn transverse_parities(self) -> [bool; 2] {
-        [
-            self.transverse && !matches!(self.exchange, Exchange::Point),
-            self.transverse && !matches!(self.exchange, Exchange::Mirror),
-        ]
+    pub const fn of_any_pair(self) -> Self {
+        const fn both(of: Parities) -> Parities {
+            if of.any() { Parities::BOTH } else { of }
+        }
+        Self {
+            axial: both(self.axial),
+            transverse: both(self.transverse),
+            ..self
+        }
     }
 
     /// Whether every load of `other` is in this set.
@@ -139,15 +195,10 @@ impl LoadSet {
     #[must_use]
     pub const fn holds(self, other: Self) -> bool {
         self.modes >= other.modes
-            && (self.transverse || !other.transverse)
+            && self.axial.holds(other.axial)
+            && self.transverse.holds(other.transverse)
             && (self.twist || !other.twist)
             && self.swirl >= other.swirl
-            && matches!(
-                (self.exchange, other.exchange),
-                (Exchange::None, _)
-                    | (Exchange::Point, Exchange::Point)
-                    | (Exchange::Mirror, Exchange::Mirror)
-            )
     }
 
     /// The set, unless it has more modes than [`PairLoads`] can hold.
@@ -171,38 +222,16 @@ impl LoadSet {
 
     /// Resistance scalars, each for self and other, in [`PairLoads::columns`].
     pub(crate) const fn rigid(self) -> usize {
-        1 + if self.transverse { 3 } else { 0 } + self.twist as usize
+        1 + if self.transverse.any() { 3 } else { 0 } + self.twist as usize
     }
 
     /// Loads of a squirming mode, each for self and other, in [`PairLoads::columns`].
     pub(crate) const fn per_mode(self) -> usize {
-        if self.transverse { 3 } else { 1 }
+        if self.transverse.any() { 3 } else { 1 }
     }
 
-    /// Which of the [`PairLoads::columns`] are read.
-    pub(crate) fn read_columns(self) -> Vec<bool> {
-        let (axial, across) = (self.axial_parities(), self.transverse_parities());
-        let crossed = [across[1], across[0]];
-        let rigid = [
-            (axial, true),
-            (across, self.transverse),
-            (across, self.transverse),
-            ([true; 2], self.twist),
-            (crossed, self.transverse),
-        ];
-        let mode = [
-            (axial, true),
-            (across, self.transverse),
-            (crossed, self.transverse),
-        ];
-        let modes = std::iter::repeat_n(mode, self.modes).flatten();
-        (rigid.into_iter().chain(modes))
-            .filter(|(_, held)| *held)
-            .flat_map(|(read, _)| read)
-            .collect()
-    }
-
-    /// Number of `f64` in [`PairLoads::columns`].
+    /// Number of `f64` in [`PairLoads::columns`]: with both combinations of each kind of load of which one is read, and always with
+    /// those along the line of centres.
     #[must_use]
     pub const fn column_count(self) -> usize {
         2 * (self.rigid() + self.per_mode() * self.modes)
@@ -212,16 +241,18 @@ impl LoadSet {
 impl std::fmt::Display for LoadSet {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} squirming modes", self.modes)?;
-        for (there, what) in [(self.transverse, "transverse"), (self.twist, "twist")] {
-            write!(f, ", {}{what}", if there { "" } else { "no " })?;
+        for (of, what) in [(self.axial, "axial"), (self.transverse, "transverse")] {
+            let read = match (of.sum, of.difference) {
+                (true, true) => "",
+                (true, false) => "sums of ",
+                (false, true) => "differences of ",
+                (false, false) => "no ",
+            };
+            write!(f, ", {read}{what}")?;
         }
+        f.write_str(if self.twist { ", twist" } else { ", no twist" })?;
         if self.swirl > 0 {
             write!(f, ", {} swirl modes", self.swirl)?;
-        }
-        match self.exchange {
-            Exchange::None => {}
-            Exchange::Point => f.write_str(", of point-symmetric pairs")?,
-            Exchange::Mirror => f.write_str(", of mirror-symmetric pairs")?,
         }
         Ok(())
     }
@@ -232,9 +263,8 @@ impl PairLoads {
     /// All scalars of the set in a fixed order (sum, difference; A, B, C, then mode by mode), for
     /// tables.
     pub fn columns(&self) -> impl Iterator<Item = f64> + '_ {
-        let LoadSet {
-            transverse, twist, ..
-        } = self.set();
+        let LoadSet { twist, .. } = self.set();
+        let transverse = self.set().transverse.any();
         let rigid = [
             (self.xa, true),
             (self.ya, transverse),

@@ -25,7 +25,7 @@
 //! (12 or 2). They are stored as sum and difference, because the force balance needs only these
 //! and the sum of two scalars that diverge at contact would lose its digits if it were formed late.
 
-use crate::LoadSet;
+use crate::{LoadSet, Parities};
 
 /// Highest squirming mode that a [`PairLoads`] can hold.
 pub const MAX_MODES: usize = 8;
@@ -232,10 +232,10 @@ impl PairLoads {
             if held { pair(k) } else { SelfOther::default() }
         };
         let (across, twist) = (
-            set.transverse && layout.transverse,
+            set.transverse.any() && layout.transverse.any(),
             set.twist && layout.twist,
         );
-        let xc = if layout.transverse { 3 } else { 1 };
+        let xc = if layout.transverse.any() { 3 } else { 1 };
         let rigid = [
             pair(true, 0),
             pair(across, 1),
@@ -257,21 +257,31 @@ impl PairLoads {
     /// YT2_n`; of a set for symmetric pairs the one combination that is read, such as `X11A - X12A`.
     #[must_use]
     pub fn named(&self) -> Vec<(String, f64)> {
-        let (axial, across) = (self.set.axial_parities(), self.set.transverse_parities());
+        let LoadSet {
+            axial, transverse, ..
+        } = self.set;
         // Opposed spins go with like translations: loads of torques have the other parity.
-        let crossed = [across[1], across[0]];
+        let crossed = transverse.crossed();
+        let twist = if self.set.twist {
+            Parities::BOTH
+        } else {
+            Parities::NONE
+        };
         let mut rows = Vec::with_capacity(self.set.column_count());
-        let mut push = |[own, other]: [String; 2], s: SelfOther, read: [bool; 2]| match read {
-            [true, true] => rows.extend([(own, s.own()), (other, s.other())]),
-            [true, false] => rows.push((format!("{own} + {other}"), s.sum)),
-            [false, true] => rows.push((format!("{own} - {other}"), s.difference)),
-            [false, false] => {}
+        let mut push = |[own, other]: [String; 2], s: SelfOther, read: Parities| match (
+            read.sum,
+            read.difference,
+        ) {
+            (true, true) => rows.extend([(own, s.own()), (other, s.other())]),
+            (true, false) => rows.push((format!("{own} + {other}"), s.sum)),
+            (false, true) => rows.push((format!("{own} - {other}"), s.difference)),
+            (false, false) => {}
         };
         for (axis, kind, s, read) in [
             ('X', 'A', self.xa, axial),
-            ('Y', 'A', self.ya, across),
-            ('Y', 'B', self.yb, across),
-            ('X', 'C', self.xc, [self.set.twist; 2]),
+            ('Y', 'A', self.ya, transverse),
+            ('Y', 'B', self.yb, transverse),
+            ('X', 'C', self.xc, twist),
             ('Y', 'C', self.yc, crossed),
         ] {
             push(
@@ -283,7 +293,7 @@ impl PairLoads {
         for (n, mode) in (1..).zip(self.modes()) {
             for (name, s, read) in [
                 ("XF", mode.xf, axial),
-                ("YF", mode.yf, across),
+                ("YF", mode.yf, transverse),
                 ("YT", mode.yt, crossed),
             ] {
                 push([format!("{name}1_{n}"), format!("{name}2_{n}")], s, read);

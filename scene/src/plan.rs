@@ -6,10 +6,11 @@
 mod describe;
 mod symmetry;
 
-pub use describe::{NeededLoads, Parities, PlanRow, SymmetryClass};
+pub use describe::{NeededLoads, PlanRow, SymmetryClass};
 
 use crate::frame::{Configuration, Plane, start};
-use crate::{Exchange, Gravity, Hydrodynamics, LoadSet, Repulsion, Scene, SceneError, Squirmer};
+use crate::mobility::MobilitySet;
+use crate::{Gravity, Hydrodynamics, LoadSet, Repulsion, Scene, SceneError, Squirmer};
 
 /// The variables in which the motion is integrated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -288,19 +289,29 @@ impl Plan {
     /// The loads that are asked of the model.
     #[must_use]
     pub fn load_set(&self) -> LoadSet {
+        let modes = self.scene.modes();
+        let set = match self.state {
+            // Neither drifts along its line.
+            State::Axisymmetric if self.opposed => LoadSet::axial(modes).mirror_symmetric(),
+            State::Axisymmetric => LoadSet::axial(modes),
+            State::PointSymmetric => LoadSet::planar(modes).point_symmetric(),
+            State::MirrorSymmetric => LoadSet::planar(modes).mirror_symmetric(),
+            State::Planar | State::Spatial => LoadSet::planar(modes),
+        };
         LoadSet {
-            modes: self.scene.modes(),
-            transverse: self.state != State::Axisymmetric,
             // Without a torque about the line of centres nothing but slip across it turns a squirmer.
             twist: self.state == State::Spatial && (self.gravity.is_some() || self.swirl > 0),
             swirl: self.swirl,
-            exchange: match self.state {
-                // Neither drifts along its line.
-                State::Axisymmetric if self.opposed => Exchange::Mirror,
-                State::PointSymmetric => Exchange::Point,
-                State::MirrorSymmetric => Exchange::Mirror,
-                State::Axisymmetric | State::Planar | State::Spatial => Exchange::None,
-            },
+            ..set
+        }
+    }
+
+    /// The coefficients that the motion reads.
+    #[must_use]
+    pub fn mobility_set(&self) -> MobilitySet {
+        MobilitySet {
+            loads: self.load_set(),
+            torque: self.gravity.is_some(),
         }
     }
 }

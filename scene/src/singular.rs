@@ -2,8 +2,8 @@
 //!
 //! With `L = ln(1/eps)`: rigid motions after Jeffrey & Onishi (1984) and Kim & Karrila,
 //! *Microhydrodynamics* (2005), chapter 9; squirming after Brumley & Pedley, Phys. Rev. Fluids 4
-//! (2019) 053102. Lubrication theory adds these to the isolated loads, tables subtract them so
-//! that what is left is smooth at contact.
+//! (2019) 053102. Lubrication theory adds these to the isolated loads, the near-contact
+//! form of exact loads to what is left, which is smooth.
 
 use crate::{Gap, LoadSet, ModeLoads, PairLoads, SelfOther, SwirlLoads, SwirlModeLoads};
 
@@ -56,36 +56,6 @@ impl Singular {
                 },
             },
         }
-    }
-
-    /// The first `N` of the [`PairLoads::columns`] of a set.
-    #[inline]
-    pub(crate) fn columns<const N: usize>(&self, layout: LoadSet) -> [f64; N] {
-        let none = SelfOther::default();
-        let [xf, yf, yt] = [self.mode.xf, self.mode.yf, self.mode.yt];
-        let rigid = match (layout.transverse, layout.twist) {
-            (true, true) => [self.xa, self.ya, self.yb, none, self.yc],
-            (true, false) => [self.xa, self.ya, self.yb, self.yc, none],
-            (false, _) => [self.xa, none, none, none, none],
-        };
-        let mode = if layout.transverse {
-            [xf, yf, yt]
-        } else {
-            [xf; 3]
-        };
-        std::array::from_fn(|column| {
-            let (place, first) = (column / 2, layout.rigid());
-            let pair = if place < first {
-                &rigid[place]
-            } else {
-                &mode[(place - first) % layout.per_mode()]
-            };
-            if column % 2 == 0 {
-                pair.sum
-            } else {
-                pair.difference
-            }
-        })
     }
 }
 

@@ -77,7 +77,7 @@ pub(crate) struct ModelArguments {
     /// Level of the mesh of boundary elements
     #[arg(long, value_name = "N", value_parser = parse_level, allow_hyphen_values = true)]
     pub mesh: Option<usize>,
-    /// Solve for every load instead of reading it from a table
+    /// Solve at every gap instead of reading from a table
     #[arg(long)]
     pub direct: bool,
 }

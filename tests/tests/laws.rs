@@ -7,7 +7,8 @@ use std::f64::consts::PI;
 use approx::assert_relative_eq;
 use bem::{Bem, Body, Lab, Motion};
 use nalgebra::{UnitQuaternion, Vector3};
-use scene::balance::{External, Heading, pair_velocity};
+use scene::balance;
+use scene::mobility::{External, Heading, MobilitySet, pair_velocity};
 use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, Squirmer};
 
 /// Level of the meshes here: coarse, since laws hold to the error of any mesh.
@@ -136,7 +137,17 @@ fn pair_frame_motion(loads: &PairLoads, bodies: &[Body; 2]) -> [Vector3<f64>; 2]
         torque: None,
     };
     let headings = [heading(0, d), heading(1, -d)];
-    let v = pair_velocity(gap, loads, &squirmers, &headings, &external);
+    let set = MobilitySet {
+        loads: loads.set(),
+        torque: false,
+    };
+    let mobility = balance::solve(gap, loads, set);
+    let v = pair_velocity(
+        (&mobility.pair, &mobility.modes[..set.loads.modes]),
+        &squirmers,
+        &headings,
+        &external,
+    );
     let mean = d * v.mean_axial + v.mean_transverse;
     let half = (d * (v.opening * gap.eps()) + v.turning * distance) * 0.5;
     [mean - half, mean + half]

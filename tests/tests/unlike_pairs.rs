@@ -8,7 +8,9 @@ use bem::{Bem, Body, Lab, Motion};
 use exact::Exact;
 use lt::{Form, Lubrication};
 use nalgebra::{Unit, Vector3};
-use scene::balance::{External, Heading, axial_spin_by_swirl, pair_velocity_with_swirl};
+use scene::mobility::{
+    External, Heading, Mobility, MobilitySet, SwirlMobilities, add_swirl, pair_velocity,
+};
 use scene::{
     Gap, Hydrodynamics, LoadSet, Orientation, Pose, Repulsion, Run, RunOptions, Scene, Squirmer,
     run,
@@ -39,7 +41,13 @@ fn pair_frame_motions(model: &impl Hydrodynamics, pair: &[Placed; 2]) -> [Motion
     let highest = |of: fn(&Squirmer) -> &[f64]| squirmers.iter().map(|s| of(s).len()).max();
     let set = LoadSet::all(highest(Squirmer::modes).unwrap_or(0))
         .with_swirl(highest(Squirmer::swirl).unwrap_or(0));
-    let (loads, swirl) = model.loads_with_swirl(gap, set).unwrap();
+    let set = MobilitySet {
+        loads: set,
+        torque: false,
+    };
+    let (mut mobility, mut swirl) = (Mobility::default(), SwirlMobilities::default());
+    let Mobility { pair: rigid, modes } = &mut mobility;
+    (model.interacting_mobility_with_swirl(gap, set, (rigid, modes), &mut swirl)).unwrap();
     let headings = [(0, 1.0), (1, -1.0)].map(|(k, sign): (usize, f64)| {
         let p = pair[k].p;
         Heading {
@@ -52,9 +60,13 @@ fn pair_frame_motions(model: &impl Hydrodynamics, pair: &[Placed; 2]) -> [Motion
         repulsion: 0.0,
         torque: None,
     };
-    let both = (&loads, &swirl);
-    let v = pair_velocity_with_swirl(gap, both, &squirmers, (&headings, &turned), &external);
-    let axial = axial_spin_by_swirl(both, &squirmers, &headings);
+    let mut v = pair_velocity(
+        (rigid, &modes[..set.loads.modes]),
+        &squirmers,
+        &headings,
+        &external,
+    );
+    let axial = add_swirl(&mut v, &swirl, &squirmers, (&headings, &turned));
     let mean = d * v.mean_axial + v.mean_transverse;
     let half = (d * (v.opening * gap.eps()) + v.turning * distance) * 0.5;
     [(0, -1.0), (1, 1.0)].map(|(k, side): (usize, f64)| Motion {

@@ -62,8 +62,8 @@ impl Parity {
         match (
             self.motion,
             self.swap,
-            set.axial_parities(),
-            set.transverse_parities(),
+            [set.axial.sum, set.axial.difference],
+            [set.transverse.sum, set.transverse.difference],
         ) {
             // The mirror image of a motion along the line of centres is opposed.
             (Motion::Axial, Mirrored, [_, read], _) | (Motion::Axial, Opposite, [read, _], _) => {

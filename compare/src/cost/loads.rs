@@ -1,9 +1,11 @@
-//! Error of the loads at a gap against the time of one evaluation.
+//! Error of the loads at a gap, or of the mobilities in a table, against the time of one evaluation.
 
 use bem::Bem;
 use exact::Exact;
 use lt::{Form, Lubrication};
-use scene::{Gap, Hydrodynamics, PairLoads, SceneError};
+use scene::balance;
+use scene::mobility::{Mobility, MobilitySet, SwirlMobilities};
+use scene::{Gap, Hydrodynamics, SceneError};
 
 use super::tables::{Built, Tables};
 use super::timing::timed;
@@ -30,21 +32,26 @@ pub(super) fn measure(
         .collect::<Result<Vec<_>, _>>()?;
     for eps in GAPS {
         let gap = Gap::new(eps)?;
-        let reference = (referee.series_loads(gap, LOADS)).map_err(SceneError::from)?;
-        let at = At { gap, reference };
+        let loads = (referee.series_loads(gap, LOADS)).map_err(SceneError::from)?;
+        let mobility = balance::solve(gap, &loads, READ);
+        let at = At {
+            gap,
+            loads: loads.named(),
+            mobilities: named(&mobility),
+        };
         for (method, form) in [
             (Method::Lt, Form::Published),
             (Method::LtCorrected, Form::Corrected),
         ] {
             let model = Lubrication::new(form);
             rows.push(at.row(method.name(), ("none", f64::NAN), || {
-                model.loads(gap, LOADS)
+                Ok(model.loads(gap, LOADS)?.named())
             }));
         }
         for factor in TERMS {
             let model = Exact::with_terms(factor).map_err(SceneError::from)?;
             rows.push(at.row("exact", ("terms factor", factor), || {
-                Ok(model.series_loads(gap, LOADS)?)
+                Ok(model.series_loads(gap, LOADS)?.named())
             }));
         }
         for built in tables.exact.iter().chain(&tables.bem) {
@@ -53,7 +60,7 @@ pub(super) fn measure(
         for model in &levels {
             let knob = ("level", model.level() as f64);
             let before = model.solves();
-            let mut row = at.row("bem", knob, || model.loads(gap, LOADS));
+            let mut row = at.row("bem", knob, || Ok(model.loads(gap, LOADS)?.named()));
             // `timed` adds a warm-up call, unless the call is so slow that it runs only once.
             let warm_up = if row.repeats > 1 { 1 } else { 0 };
             row.solves = (model.solves() - before) as f64 / (row.repeats + warm_up) as f64;
@@ -63,10 +70,24 @@ pub(super) fn measure(
     Ok(())
 }
 
-/// A gap with the reference loads.
+/// Loads or mobilities with their names.
+type Named = Vec<(String, f64)>;
+
+/// All mobilities that follow from the loads.
+const READ: MobilitySet = MobilitySet {
+    loads: LOADS,
+    torque: true,
+};
+
+fn named(mobility: &Mobility) -> Named {
+    mobility.named(READ, &SwirlMobilities::default())
+}
+
+/// A gap with the reference.
 struct At {
     gap: Gap,
-    reference: PairLoads,
+    loads: Named,
+    mobilities: Named,
 }
 
 impl At {
@@ -74,25 +95,31 @@ impl At {
         &self,
         model: &str,
         knob: (&str, f64),
-        loads: impl Fn() -> Result<PairLoads, SceneError>,
+        loads: impl Fn() -> Result<Named, SceneError>,
     ) -> CostRow {
         let mut row = CostRow::new(Part::Loads, model, knob, self.gap.eps().to_string());
         let (loads, timing) = timed(loads);
         if let Ok(loads) = loads {
-            (row.error, row.error_rms) = errors(&loads, &self.reference);
+            (row.error, row.error_rms) = errors(&loads, &self.loads);
             row.seconds = timing.seconds;
             row.repeats = timing.repeats;
         }
         row
     }
 
+    /// Tables hold mobilities instead of loads.
     fn table_row(&self, built: &Built) -> CostRow {
         // The gap comes from its logarithm, as in a trajectory.
         let ln_gap = self.gap.ln();
         let knob = ("table tolerance", built.tolerance);
-        let mut row = self.row(&built.name, knob, || {
-            (built.table).loads(Gap::from_ln(std::hint::black_box(ln_gap)), LOADS)
-        });
+        let mut row = CostRow::new(Part::Loads, &*built.name, knob, self.gap.eps().to_string());
+        let (mobility, timing) =
+            timed(|| (built.table).mobility(Gap::from_ln(std::hint::black_box(ln_gap)), READ));
+        if let Ok(mobility) = mobility {
+            (row.error, row.error_rms) = errors(&named(&mobility), &self.mobilities);
+            row.seconds = timing.seconds;
+            row.repeats = timing.repeats;
+        }
         row.set_up_seconds = built.seconds;
         row.loads = built.table.summary().evaluations as f64;
         row
@@ -100,8 +127,8 @@ impl At {
 }
 
 /// Largest and root-mean-square error, relative to the larger of the reference and 1.
-fn errors(loads: &PairLoads, reference: &PairLoads) -> (f64, f64) {
-    let errors: Vec<f64> = (loads.named().iter().zip(reference.named()))
+fn errors(found: &[(String, f64)], reference: &[(String, f64)]) -> (f64, f64) {
+    let errors: Vec<f64> = (found.iter().zip(reference))
         .map(|((_, found), (_, expected))| (found - expected).abs() / expected.abs().max(1.0))
         .collect();
     let squares: f64 = errors.iter().map(|e| e * e).sum();

@@ -4,10 +4,11 @@ use std::hint::black_box;
 
 use exact::Exact;
 use lt::{Form, Lubrication};
-use scene::balance::{External, Heading, PairVelocity, pair_velocity};
-use scene::{
-    Gap, Hydrodynamics, PairLoads, Repulsion, Run, RunOptions, Scene, SceneError, Squirmer,
+use scene::balance;
+use scene::mobility::{
+    External, Heading, MobilitySet, ModeMobility, PairMobility, PairVelocity, pair_velocity,
 };
+use scene::{Gap, Hydrodynamics, LoadSet, Repulsion, Run, RunOptions, Scene, SceneError, Squirmer};
 
 use super::loads::REFEREE_TERMS;
 use super::scaling::fig_6;
@@ -15,6 +16,12 @@ use super::tables::Tables;
 use super::timing::timed;
 use super::{CostRow, LOADS, Part, run_lubrication};
 use crate::{CompareError, Method};
+
+/// What a planar collision reads.
+const READ: MobilitySet = MobilitySet {
+    loads: LoadSet::planar(LOADS.modes),
+    torque: false,
+};
 
 /// Logarithms of the gaps of a collision.
 const LN_GAPS: [f64; 8] = [-5.3, -0.2, -3.1, -4.6, -1.7, -0.9, -2.4, -3.9];
@@ -29,7 +36,7 @@ const SERIES_FROM: i32 = -6;
 /// Angles of the two orientations from the direction to the other sphere, in radians.
 const ANGLES: [[f64; 2]; 4] = [[0.3, 0.3], [1.2, -0.4], [2.0, 2.9], [-1.5, 0.9]];
 
-/// Times per right-hand side: the loads alone; the loads with the force balance and its sines; a whole collision
+/// Times per right-hand side: the mobilities alone; these with the sines and the sums over the causes; a whole collision
 /// divided by its right-hand sides.
 pub(super) fn right_hand_sides(
     tables: &Tables,
@@ -55,10 +62,12 @@ fn profile<M: Hydrodynamics>(
     rows: &mut Vec<CostRow>,
 ) -> Result<(), CompareError> {
     let squirmers = [Squirmer::with_beta(1.0, 5.0)?; 2];
-    let loads = || {
+    let mobilities = || {
         for ln_gap in LN_GAPS {
             let gap = Gap::from_ln(black_box(ln_gap));
-            let _ = black_box(&model.interacting_loads(gap, LOADS));
+            let (mut pair, mut modes) = <(PairMobility, [ModeMobility; LOADS.modes])>::default();
+            let _ = model.interacting_mobility(gap, READ, (&mut pair, &mut modes));
+            black_box((&pair, &modes));
         }
     };
     let velocities = || {
@@ -76,8 +85,13 @@ fn profile<M: Hydrodynamics>(
         });
     };
     let each = LN_GAPS.len() as f64;
-    let (_, timing) = timed(loads);
-    push("loads", "collision", timing.seconds / each, timing.repeats);
+    let (_, timing) = timed(mobilities);
+    push(
+        "mobilities",
+        "collision",
+        timing.seconds / each,
+        timing.repeats,
+    );
     let (_, timing) = timed(velocities);
     let per_velocity = timing.seconds / each;
     push("velocity", "collision", per_velocity, timing.repeats);
@@ -102,16 +116,14 @@ fn velocity<M: Hydrodynamics>(
     squirmers: &[Squirmer; 2],
     headings: [Heading<f64>; 2],
 ) -> Result<PairVelocity<f64>, SceneError> {
-    let loads = model.interacting_loads(gap, LOADS);
-    match &loads {
-        Ok(loads) => Ok(balanced(loads, gap, squirmers, headings)),
-        Err(error) => Err(error.clone()),
-    }
+    let (mut pair, mut modes) = <(PairMobility, [ModeMobility; LOADS.modes])>::default();
+    model.interacting_mobility(gap, READ, (&mut pair, &mut modes))?;
+    Ok(moved((&pair, &modes), gap, squirmers, headings))
 }
 
 #[inline]
-fn balanced(
-    loads: &PairLoads,
+fn moved(
+    mobility: (&PairMobility, &[ModeMobility]),
     gap: Gap,
     squirmers: &[Squirmer; 2],
     headings: [Heading<f64>; 2],
@@ -120,7 +132,7 @@ fn balanced(
         repulsion: Repulsion::PAPER.force(gap),
         torque: None,
     };
-    pair_velocity(gap, loads, squirmers, &headings, &external)
+    pair_velocity(mobility, squirmers, &headings, &external)
 }
 
 /// Time and error of a velocity by the exact table, as the commands use it, also at gaps far below and above those in
@@ -154,10 +166,16 @@ pub(super) fn velocities(tables: &Tables, rows: &mut Vec<CostRow>) -> Result<(),
         };
         if decade >= SERIES_FROM {
             let reference = referee.series_loads(gap, LOADS).map_err(SceneError::from)?;
+            let reference = balance::solve(gap, &reference, READ);
             let mut error = 0.0_f64;
             for headings in headings {
                 let found = velocity(table, gap, &squirmers, headings)?;
-                let expected = balanced(&reference, gap, &squirmers, headings);
+                let expected = moved(
+                    (&reference.pair, &reference.modes[..LOADS.modes]),
+                    gap,
+                    &squirmers,
+                    headings,
+                );
                 error = error.max(difference(&found, &expected, gap));
             }
             row.error = error;

@@ -6,10 +6,10 @@ use std::time::Instant;
 
 use bem::Bem;
 use exact::Exact;
-use scene::{TableOptions, Tabulated};
+use scene::{Hydrodynamics, TableOptions, Tabulated};
 
 use super::{CostOptions, LOADS};
-use crate::model::{AnyModel, EXACT_TABLE_FROM};
+use crate::model::AnyModel;
 use crate::watch::{Pieces, Progress};
 use crate::{BEM_TABLE_TOLERANCE, CompareError, EXACT_TABLE_TOLERANCE};
 
@@ -46,14 +46,15 @@ pub(super) struct Tables {
 impl Tables {
     pub(super) fn build(options: &CostOptions) -> Result<Self, CompareError> {
         let exact = EXACT_TOLERANCES.map(|tolerance| {
-            // At the commands' tolerance this is the commands' table, from the same smallest gap.
+            // At the commands' tolerance this is the commands' table, at all gaps.
             let usual = tolerance.total_cmp(&EXACT_TABLE_TOLERANCE).is_eq();
+            let exact = Exact::new();
             let from = if usual {
-                EXACT_TABLE_FROM
+                exact.range().smallest
             } else {
                 SMALLEST_GAP
             };
-            build(Arc::new(Exact::new()), 0, tolerance, from)
+            build(Arc::new(exact), 0, tolerance, from)
         });
         let mut bem = Vec::new();
         for (number, &level) in options.table_levels().iter().enumerate() {

@@ -1,7 +1,8 @@
 //! Contact: loads, mobilities and velocities at gaps from 1e-1 to 1e-14.
 
 use exact::Exact;
-use scene::balance::{External, Heading, PairVelocity, pair_velocity};
+use scene::balance;
+use scene::mobility::{External, Heading, MobilitySet, PairVelocity, pair_velocity};
 use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, Squirmer};
 use serde::Deserialize;
 
@@ -189,9 +190,13 @@ fn torqued(
         repulsion: 0.0,
         torque: Some(torque),
     };
+    let set = MobilitySet {
+        loads: loads.set(),
+        torque: true,
+    };
+    let mobility = balance::solve(gap, loads, set);
     Ok(pair_velocity(
-        gap,
-        loads,
+        (&mobility.pair, &[]),
         &[passive; 2],
         &[ahead; 2],
         &external,
@@ -284,9 +289,13 @@ fn fifty_digits(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
             repulsion: 0.0,
             torque: None,
         };
+        let set = MobilitySet {
+            loads: LOADS,
+            torque: false,
+        };
+        let mobility = model.mobility(gap, set)?;
         let found = pair_velocity(
-            gap,
-            &model.loads(gap, LOADS)?,
+            (&mobility.pair, &mobility.modes[..2]),
             &[squirmer; 2],
             &headings,
             &external,

@@ -1,12 +1,11 @@
 //! Pairs that are far apart, the ends of the tables, and the seams between their pieces.
 
 use bem::Bem;
-use scene::balance::{External, Heading, pair_velocity};
+use scene::mobility::{External, Heading, MobilitySet, pair_velocity};
 use scene::{FAR_GAP, Gap, Hydrodynamics, LoadSet, Orientation, PairLoads, Pose, Scene, Squirmer};
 
 use super::rows::larger;
 use super::{Bench, MESH, Rows, until};
-use crate::model::EXACT_TABLE_FROM;
 use crate::{CompareError, Method, Model};
 
 const LOADS: LoadSet = LoadSet::all(2);
@@ -31,8 +30,19 @@ pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
     }
 }
 
+/// What any pair reads.
+const READ: MobilitySet = MobilitySet {
+    loads: LOADS,
+    torque: true,
+};
+
 fn columns(model: &Model, eps: f64) -> Result<Vec<f64>, CompareError> {
-    Ok(model.loads(Gap::new(eps)?, LOADS)?.columns().collect())
+    let mobility = model.mobility(Gap::new(eps)?, READ)?;
+    let named = mobility.named(READ, &Default::default());
+    Ok(named
+        .into_iter()
+        .map(|(_, coefficient)| coefficient)
+        .collect())
 }
 
 fn worst(one: &[f64], two: &[f64]) -> f64 {
@@ -42,8 +52,11 @@ fn worst(one: &[f64], two: &[f64]) -> f64 {
         .fold(0.0, larger)
 }
 
-/// Loads and their slopes on both sides of the seam between near and far pieces, and loads where the table ends and the
-/// model's closed form begins.
+/// A gap near contact at which two stretches of a table meet, `exp(-16)`.
+const NEAR_SEAM: f64 = 1.125_351_747_192_591_1e-7;
+
+/// Mobilities and their slopes on both sides of the seam between near and far stretches, and mobilities on both sides of one near
+/// contact.
 fn seams(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     const STEP: f64 = 1e-3;
     let name = model.method().name();
@@ -51,8 +64,11 @@ fn seams(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let beyond = FAR_GAP.next_up();
     rows.add(
         name,
-        format!("jump of the loads at the seam, gap {FAR_GAP}"),
-        (2.0 * error + 1e-14, "interpolation errors of both pieces"),
+        format!("jump of the mobilities at the seam, gap {FAR_GAP}"),
+        (
+            2.0 * error + 1e-14,
+            "interpolation errors of both stretches",
+        ),
         worst(&columns(model, FAR_GAP)?, &columns(model, beyond)?),
     );
     // One-sided differences of second order.
@@ -69,7 +85,7 @@ fn seams(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let bound = 8.0 * error / STEP + STEP * STEP;
     rows.add(
         name,
-        format!("jump of the slopes of the loads at the seam, gap {FAR_GAP}"),
+        format!("jump of the slopes of the mobilities at the seam, gap {FAR_GAP}"),
         (
             bound,
             "8 x interpolation error/h, plus h^2, for one-sided differences of second order with the step h = 1e-3",
@@ -77,18 +93,18 @@ fn seams(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         worst(&slopes(FAR_GAP, -STEP)?, &slopes(beyond, STEP)?),
     );
     if model.method() == Method::Exact {
-        let at = EXACT_TABLE_FROM;
-        let rounding = 4.0 * f64::EPSILON;
         rows.add(
             name,
-            format!("jump of the loads at the end of the table, gap {at:e}"),
+            format!(
+                "jump of the mobilities where stretches meet near contact, gap {NEAR_SEAM:.2e}"
+            ),
             (
-                2.0 * error + rounding + 1e-11,
-                "interpolation errors, and 1e-12 by which the range of a table is extended for rounding",
+                2.0 * error + 1e-11,
+                "interpolation errors of both stretches, and the step of 1e-12 of the gap",
             ),
             worst(
-                &columns(model, at * (1.0 + 1e-13))?,
-                &columns(model, at * (1.0 - 3e-12))?,
+                &columns(model, NEAR_SEAM * (1.0 + 5e-13))?,
+                &columns(model, NEAR_SEAM * (1.0 - 5e-13))?,
             ),
         );
     }
@@ -99,7 +115,6 @@ fn seams(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
 /// its first terms are kept; the next ones are smaller by `1/r^2`, with factors below 5.
 fn reflections(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let name = model.method().name();
-    let error = model.table().map_or(0.0, |table| table.interpolation_error);
     for eps in [1e2, 1e4, 1e6] {
         let gap = Gap::new(eps)?;
         let r = gap.distance();
@@ -122,7 +137,7 @@ fn reflections(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
             name,
             format!("gap {eps:e}: loads, difference from the first reflections"),
             (
-                5.0 / r.powi(3) + 4.0 * error + estimate + 1e-14,
+                5.0 / r.powi(3) + estimate + 1e-14,
                 "next reflections, at most 5/r^3; the error that the model states (of a mesh 3/2 of the difference from the next level)",
             ),
             most_apart(&found, &reflected),
@@ -169,10 +184,10 @@ fn far_flight(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         let straight = run.start.positions()[k] + p * run.end_time;
         (run.end.positions()[k] - straight).norm() + run.deflections_rad()[k].abs()
     });
-    // Forces of the slip are at most 4 B and the drag is 6; both may be interpolated.
+    // Each mode has four coefficients that move or turn a squirmer.
     let strength: f64 = squirmer.modes().iter().sum();
     let interpolated = model.table().map_or(0.0, |table| table.interpolation_error);
-    let tabulated = 2.0 * interpolated * 4.0 * strength / 6.0;
+    let tabulated = 4.0 * interpolated * strength;
     let apart = run.start.gap;
     let (discretised, why) = if model.method() == Method::Bem {
         let [one, two] =
@@ -203,7 +218,11 @@ fn lone_motions(
     gap: Gap,
     angles: [f64; 2],
 ) -> Result<[[f64; 3]; 2], CompareError> {
-    let loads = model.loads(gap, LoadSet::planar(2))?;
+    let set = MobilitySet {
+        loads: LoadSet::planar(2),
+        torque: false,
+    };
+    let mobility = model.mobility(gap, set)?;
     let headings = [1.0, -1.0].map(|side| {
         let (sin, cos) = angles[usize::from(side < 0.0)].sin_cos();
         Heading {
@@ -215,7 +234,12 @@ fn lone_motions(
         repulsion: 0.0,
         torque: None,
     };
-    let v = pair_velocity(gap, &loads, &[*squirmer; 2], &headings, &external);
+    let v = pair_velocity(
+        (&mobility.pair, &mobility.modes[..2]),
+        &[*squirmer; 2],
+        &headings,
+        &external,
+    );
     Ok([-0.5, 0.5].map(|side| {
         let opening = side * v.opening * gap.eps();
         let turning = side * v.turning * gap.distance();

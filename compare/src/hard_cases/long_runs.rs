@@ -32,7 +32,7 @@ pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
 fn orbit(model: &Model, beta: f64, rows: &mut Rows) -> Result<(), CompareError> {
     let name = model.method().name();
     let squirmer = Squirmer::with_beta(1.0, beta)?;
-    let states = bound_states(model, &squirmer, Repulsion::PAPER)?;
+    let states = bound_states(&**model, &squirmer, Repulsion::PAPER)?;
     let Some(state) = states
         .iter()
         .find(|s| s.outcome == Outcome::Anticlockwise && s.growth() < -1e-3)

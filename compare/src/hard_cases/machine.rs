@@ -1,7 +1,10 @@
 //! What the machine can do to the numbers: inputs at the ends of the number range, and threads.
 
+use std::sync::Arc;
+
 use bem::Bem;
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use scene::mobility::{MobilitySet, SwirlMobilities};
 use scene::{
     Gap, Gravity, Hydrodynamics, LoadSet, Orientation, Pose, Repulsion, RunOptions, Scene,
     SceneError, Squirmer, TableOptions, Tabulated,
@@ -52,10 +55,23 @@ fn extremes(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         1e200,
         f64::MAX,
     ] {
-        if let Ok(loads) = model.loads(Gap::new(eps)?, LoadSet::all(2))
+        let gap = Gap::new(eps)?;
+        if let Ok(loads) = model.loads(gap, LoadSet::all(2))
             && !loads.columns().all(f64::is_finite)
         {
             wrong.push(format!("loads at gap {eps:e}"));
+        }
+        let read = MobilitySet {
+            loads: LoadSet::all(2),
+            torque: true,
+        };
+        if let Ok(mobility) = model.mobility(gap, read)
+            && !mobility
+                .named(read, &SwirlMobilities::default())
+                .iter()
+                .all(|(_, value)| value.is_finite())
+        {
+            wrong.push(format!("mobilities at gap {eps:e}"));
         }
     }
     let options = RunOptions {
@@ -144,12 +160,19 @@ fn pool(threads: usize) -> Result<ThreadPool, CompareError> {
         .map_err(|error| CompareError::input("threads", threads, error.to_string()))
 }
 
-/// Loads at some gaps, bit by bit.
-fn bits(model: &dyn Hydrodynamics, set: LoadSet) -> Result<Vec<u64>, CompareError> {
+/// Mobilities at some gaps, bit by bit.
+fn bits(model: &dyn Hydrodynamics, loads: LoadSet) -> Result<Vec<u64>, CompareError> {
     let mut bits = Vec::new();
+    let read = MobilitySet {
+        loads,
+        torque: true,
+    };
     for k in 0..20 {
         let gap = Gap::from_ln(0.35_f64.ln() + 0.4 * f64::from(k));
-        bits.extend(model.loads(gap, set)?.columns().map(f64::to_bits));
+        let named = model
+            .mobility(gap, read)?
+            .named(read, &SwirlMobilities::default());
+        bits.extend(named.into_iter().map(|(_, value)| value.to_bits()));
     }
     Ok(bits)
 }
@@ -164,7 +187,10 @@ fn threads(bench: &Bench, rows: &mut Rows) -> Result<(), CompareError> {
     let build = |threads: usize| -> Result<Vec<u64>, CompareError> {
         pool(threads)?.install(|| {
             let set = options.set;
-            let mut all = bits(&Tabulated::build(Bem::new(1)?, options, &|_| {})?, set)?;
+            let mut all = bits(
+                &Tabulated::build(Arc::new(Bem::new(1)?), options, &|_| {})?,
+                set,
+            )?;
             all.extend(bits(&exact::Exact::new(), set)?);
             let case = Case {
                 approach: Approach::HeadOn,

@@ -85,7 +85,7 @@ const MODES: [(&str, f64); 2] = [("mirror images", -1.0), ("half a turn", 1.0)];
 fn tipped(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
     let name = model.method().name();
     let squirmer = Squirmer::with_beta(1.0, BETA)?;
-    let states = bound_states(model, &squirmer, Repulsion::PAPER)?;
+    let states = bound_states(&**model, &squirmer, Repulsion::PAPER)?;
     let facing = |s: &&BoundState| {
         s.outcome == Outcome::Standoff && s.angles_rad.iter().all(|a| a.abs() < 1e-3)
     };

@@ -3,8 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use scene::{
-    Gap, Gravity, Hydrodynamics, LoadSet, Orientation, Outcome, Plan, Pose, Repulsion, Run, Scene,
-    Squirmer,
+    Gap, Gravity, LoadSet, Orientation, Outcome, Plan, Pose, Repulsion, Run, Scene, Squirmer,
 };
 
 use super::rows::larger;

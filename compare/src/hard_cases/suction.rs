@@ -6,7 +6,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use scene::{Gap, Hydrodynamics, LoadSet, Orientation, Outcome, Pose, Scene, Squirmer};
+use scene::{Gap, LoadSet, Orientation, Outcome, Pose, Scene, Squirmer};
 
 use super::rows::larger;
 use super::{Bench, Rows, SIZE, until};

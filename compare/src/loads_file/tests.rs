@@ -2,7 +2,7 @@ use std::fmt::Write;
 
 use approx::assert_relative_eq;
 use exact::Exact;
-use scene::{Exchange, Outcome, RunOptions, run};
+use scene::{Outcome, RunOptions, run};
 
 use super::*;
 use crate::Family;
@@ -85,7 +85,7 @@ fn the_values_in_the_file_come_back_at_its_gaps_to_rounding() {
             LoadSet::planar(1),
             LoadSet::axial(2),
             LoadSet::axial_and_twist(0),
-            LoadSet::planar(2).of_symmetric(Exchange::Point),
+            LoadSet::planar(2).point_symmetric(),
         ] {
             let expected = PairLoads::from_columns(part, set, &columns);
             assert_eq!(file.loads(gap, part).unwrap(), expected);

@@ -1,7 +1,7 @@
 //! Errors of the loads of each method against the exact loads, for gaps from 1e-3 to 100 radii.
 
 use rayon::prelude::*;
-use scene::{Gap, Hydrodynamics, LoadSet, SceneError};
+use scene::{Gap, LoadSet, SceneError};
 use serde::Serialize;
 
 use crate::columns::columns;

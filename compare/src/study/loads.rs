@@ -1,16 +1,13 @@
 //! The loads of a pair at some gaps, each with an error estimate.
 
 use bem::Bem;
-use scene::{Gap, Hydrodynamics, LoadSet};
+use scene::{Gap, LoadSet};
 use serde::Serialize;
 
 use crate::columns::columns;
 use crate::numbers::size;
 use crate::watch::{Pieces, Progress};
 use crate::{CompareError, Method, Model, ModelOptions};
-
-/// Largest number of gaps at which every load is solved for. With more gaps a table is faster.
-const SOLVED: usize = 40;
 
 columns! {
     /// A row for each method, gap and load. `scene::loads` defines the loads; they are pure numbers, for viscosity 1
@@ -42,7 +39,7 @@ type Estimated = (String, f64, Option<f64>);
 /// The loads of a method at a gap.
 type Estimator = Box<dyn Fn(Gap) -> Result<Vec<Estimated>, CompareError>>;
 
-/// The loads of `set` by each method at each gap. Many gaps are read from a table of the method, few are solved for.
+/// The loads of `set` by each method at each gap, solved for at each.
 ///
 /// # Errors
 /// [`CompareError`] if a model cannot be set up, a gap is below its range, or a solve fails.
@@ -54,7 +51,7 @@ pub fn load_rows(
 ) -> Result<Vec<LoadRow>, CompareError> {
     let options = ModelOptions {
         tabulated: set,
-        direct: options.direct || gaps.len() <= SOLVED,
+        direct: true,
         ..options.clone()
     };
     let mut rows = Vec::new();
@@ -75,13 +72,13 @@ pub fn load_rows(
     Ok(rows)
 }
 
-/// The source of the loads of a method. Boundary elements without a table estimate the error of each load.
+/// The source of the loads of a method. Boundary elements estimate the error of each load.
 fn estimator(
     method: Method,
     set: LoadSet,
     options: &ModelOptions,
 ) -> Result<Estimator, CompareError> {
-    if method == Method::Bem && options.direct {
+    if method == Method::Bem {
         let bem = Bem::new(options.mesh)?;
         return Ok(Box::new(move |gap| {
             let (solution, estimates) = bem.solve_with_estimates(gap, set)?;

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use scene::{Hydrodynamics as _, Run, RunOptions};
+use scene::{Run, RunOptions};
 use serde::{Deserialize, Serialize};
 
 use super::manifest::{SweepIdentity, measured};

@@ -5,7 +5,8 @@ use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
 
-use scene::{Gap, Hydrodynamics, LoadSet, SceneError};
+use scene::mobility::{MobilitySet, SwirlMobilities};
+use scene::{Gap, LoadSet, SceneError};
 use serde::{Deserialize, Serialize};
 
 use super::Share;
@@ -14,7 +15,7 @@ use crate::{CompareError, Model};
 /// Largest size of a manifest, in bytes.
 const LONGEST: u64 = 1 << 26;
 
-/// Gaps, in radii. The bits of the loads at these gaps identify a table.
+/// Gaps, in radii. The bits of the mobilities at these gaps identify a table.
 const GAPS: [f64; 4] = [0.02, 0.3, 1.5, 20.0];
 
 /// Arguments of elementary functions. The bits of their values identify the arithmetic of a machine.
@@ -93,8 +94,8 @@ pub struct Arithmetic {
     pub machine: String,
     /// CRC-32 of the bits of elementary functions.
     pub functions: String,
-    /// CRC-32 of the bits of each model's loads at some gaps.
-    pub loads: Vec<String>,
+    /// CRC-32 of the bits of each model's mobilities at some gaps.
+    pub mobilities: Vec<String>,
 }
 
 impl Arithmetic {
@@ -124,15 +125,20 @@ impl Arithmetic {
                 functions.update(&value.to_bits().to_le_bytes());
             }
         }
-        let loads = (models.iter())
+        let mobilities = (models.iter())
             .map(|model| {
-                let set = model.tabulated().unwrap_or(UNTABULATED);
+                let read = MobilitySet {
+                    loads: model
+                        .tabulated()
+                        .map_or(UNTABULATED, |set| set.with_swirl(0)),
+                    torque: true,
+                };
                 let mut bits = crc32fast::Hasher::new();
                 for eps in GAPS {
-                    // Gaps beyond a model's range have no loads.
-                    if let Ok(loads) = model.loads(Gap::new(eps)?, set) {
-                        for load in loads.columns() {
-                            bits.update(&load.to_bits().to_le_bytes());
+                    // A model answers at no gap beyond its range.
+                    if let Ok(mobility) = model.mobility(Gap::new(eps)?, read) {
+                        for (_, value) in mobility.named(read, &SwirlMobilities::default()) {
+                            bits.update(&value.to_bits().to_le_bytes());
                         }
                     }
                     // A model that solves for every gap is slow, so one gap must be enough.
@@ -147,7 +153,7 @@ impl Arithmetic {
         Ok(Self {
             machine: format!("{architecture} {system}"),
             functions: written(functions),
-            loads,
+            mobilities,
         })
     }
 }

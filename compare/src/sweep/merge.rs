@@ -231,7 +231,7 @@ mod tests {
         Arithmetic {
             machine: "test".to_owned(),
             functions: functions.to_owned(),
-            loads: Vec::new(),
+            mobilities: Vec::new(),
         }
     }
 

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use serde::de::DeserializeOwned;
 
-use scene::{Hydrodynamics as _, RunOptions};
+use scene::RunOptions;
 
 use super::journal::Journal;
 use crate::no_run::{FAILED, SKIPPED};

@@ -1,6 +1,6 @@
 //! The points of a sweep: a family and the parameters that are varied.
 
-use scene::{Exchange, LoadSet, Plan, RunOptions};
+use scene::{LoadSet, Plan, RunOptions};
 
 use super::Axis;
 use super::SweepTail;
@@ -158,9 +158,9 @@ impl Points {
             read
         } else {
             LoadSet {
-                transverse: true,
-                exchange: Exchange::None,
-                ..read
+                twist: read.twist,
+                swirl: read.swirl,
+                ..LoadSet::planar(read.modes)
             }
         })
     }

@@ -1,9 +1,12 @@
 //! The equation of motion: loads, balance and kinematics put together.
 
 use super::chart::Chart;
-use crate::balance::{External, Heading, PairVelocity, Transverse, pair_velocity};
+use crate::mobility::{
+    External, Heading, MobilitySet, ModeMobility, PairMobility, PairVelocity, Transverse,
+    pair_velocity,
+};
 use crate::ode::System;
-use crate::{Gap, Gravity, Hydrodynamics, LoadSet, PairLoads, Repulsion, SceneError, Squirmer};
+use crate::{Gap, Gravity, Hydrodynamics, LoadSet, MAX_MODES, Repulsion, SceneError, Squirmer};
 
 /// An effect that the compiler knows to be there or not, so that an absent one leaves no trace.
 pub(crate) trait Effect<T>: Copy {
@@ -37,9 +40,9 @@ impl<T: Copy> Effect<T> for Present<T> {
 pub(crate) trait Dynamics<const N: usize>: Chart<N> + Copy {
     /// What is perpendicular to the line of centres.
     type Across: Transverse;
-    /// Whether headings take sines.
-    const SINES: bool = true;
 
+    /// The loads of `set` with those left out that these coordinates never read, so that the compiler sees it.
+    fn read(set: LoadSet) -> LoadSet;
     /// Orientations in the pair frame.
     fn headings(&self, y: &[f64; N]) -> [Heading<Self::Across>; 2];
     /// Torques of gravity as `T x d`, per `pi mu a^2`.
@@ -49,12 +52,12 @@ pub(crate) trait Dynamics<const N: usize>: Chart<N> + Copy {
         gravity: Gravity,
         squirmers: &[Squirmer; 2],
     ) -> [Self::Across; 2];
-    /// Time derivative of the state at an instant, by its headings and the loads of its model.
+    /// Time derivative of the state at an instant, by its headings and the coefficients of its model, with room for those of `M` modes.
     ///
     /// # Errors
     /// The model's.
     #[inline(always)]
-    fn motion<H, G>(
+    fn motion<const M: usize, H, G>(
         &self,
         y: &[f64; N],
         headings: &[Heading<Self::Across>; 2],
@@ -64,18 +67,17 @@ pub(crate) trait Dynamics<const N: usize>: Chart<N> + Copy {
         H: Hydrodynamics + ?Sized,
         G: Effect<Gravity>,
     {
-        derivative(self, y, headings, at)
+        derivative::<M, _, _, _, N>(self, y, headings, at)
     }
     /// Velocity of the pair without swirl.
     #[inline(always)]
     fn velocity(
-        gap: Gap,
-        loads: &PairLoads,
+        mobility: (&PairMobility, &[ModeMobility]),
         squirmers: &[Squirmer; 2],
         headings: &[Heading<Self::Across>; 2],
         external: &External<Self::Across>,
     ) -> PairVelocity<Self::Across> {
-        pair_velocity(gap, loads, squirmers, headings, external)
+        pair_velocity(mobility, squirmers, headings, external)
     }
     /// Time derivative of the state for a velocity of the pair.
     fn derivative(&self, y: &[f64; N], velocity: &PairVelocity<Self::Across>) -> [f64; N];
@@ -86,7 +88,7 @@ pub(crate) trait Dynamics<const N: usize>: Chart<N> + Copy {
         &self,
         _y: &[f64; N],
         _dy: &mut [f64; N],
-        _loads: &PairLoads,
+        _mobility: &PairMobility,
         _gravity: Gravity,
         _squirmers: &[Squirmer; 2],
     ) {
@@ -120,16 +122,12 @@ where
     // The stepper's loop over stages has it inside, its state in registers; others call one copy of it.
     #[inline(always)]
     fn rhs(&mut self, _t: f64, y: &[f64; N]) -> [f64; N] {
-        // Two modes, the usual number, are known to the compiler: it keeps their loads out of memory.
+        // One or two modes, the usual numbers, are known to the compiler: it keeps their mobilities out of memory. Two are inside the
+        // stepper's loop; other numbers are compiled once.
         match self.set.modes {
-            2 => self.evaluate(
-                y,
-                LoadSet {
-                    modes: 2,
-                    ..self.set
-                },
-            ),
-            _ => self.evaluate(y, self.set),
+            2 => self.evaluate::<2, N>(y, 2),
+            1 => self.evaluate_one(y),
+            _ => self.evaluate_many(y),
         }
     }
 }
@@ -140,23 +138,39 @@ where
     R: Effect<Repulsion>,
     G: Effect<Gravity>,
 {
-    /// The right-hand side with the loads of `set`.
+    /// The right-hand side with so many modes, and room for `M`.
     #[inline(always)]
-    fn evaluate<const N: usize>(&mut self, y: &[f64; N], set: LoadSet) -> [f64; N]
+    fn evaluate<const M: usize, const N: usize>(&mut self, y: &[f64; N], modes: usize) -> [f64; N]
     where
         C: Dynamics<N>,
     {
-        // Sines come first: they wait for nothing and overlap with the gap's exponential and the repulsion's. Headings
-        // without sines come last: over those calls they would have to be put aside.
-        let sines = C::SINES.then(|| self.coordinates.headings(y));
+        let set = C::read(LoadSet { modes, ..self.set });
+        let headings = self.coordinates.headings(y);
         let gap = Gap::from_ln(y[self.coordinates.ln_gap()]);
         self.loads += 1;
         let instant = self.instant(gap, gap, set);
-        let headings = sines.unwrap_or_else(|| self.coordinates.headings(y));
-        match (self.coordinates).motion(y, &headings, &instant) {
+        match (self.coordinates).motion::<M, H, G>(y, &headings, &instant) {
             Ok(dy) => dy,
             Err(error) => self.refused(y, error),
         }
+    }
+
+    /// The right-hand side with one mode.
+    #[inline(never)]
+    fn evaluate_one<const N: usize>(&mut self, y: &[f64; N]) -> [f64; N]
+    where
+        C: Dynamics<N>,
+    {
+        self.evaluate::<2, N>(y, 1)
+    }
+
+    /// The right-hand side with any number of modes.
+    #[inline(never)]
+    fn evaluate_many<const N: usize>(&mut self, y: &[f64; N]) -> [f64; N]
+    where
+        C: Dynamics<N>,
+    {
+        self.evaluate::<MAX_MODES, N>(y, self.set.modes)
     }
 
     /// What the right-hand side reads at the gap of a state and at that at which the model is asked.
@@ -190,8 +204,9 @@ where
         };
         // Its gap too: by their own, held loads would close it ever faster.
         let headings = self.coordinates.headings(y);
+        let set = C::read(self.set);
         (self.coordinates)
-            .motion(y, &headings, &self.instant(gap, end, self.set))
+            .motion::<MAX_MODES, H, G>(y, &headings, &self.instant(gap, end, set))
             .unwrap_or([f64::NAN; N])
     }
 }
@@ -208,6 +223,15 @@ pub(crate) struct Instant<'a, H: ?Sized, G> {
 }
 
 impl<H: ?Sized, G: Effect<Gravity>> Instant<'_, H, G> {
+    /// The coefficients that are read.
+    #[inline(always)]
+    pub fn mobility_set(&self) -> MobilitySet {
+        MobilitySet {
+            loads: self.set,
+            torque: self.gravity.get().is_some(),
+        }
+    }
+
     /// Loads of other than hydrodynamic origin.
     #[inline(always)]
     pub fn external<C: Dynamics<N>, const N: usize>(
@@ -228,7 +252,7 @@ impl<H: ?Sized, G: Effect<Gravity>> Instant<'_, H, G> {
 /// # Errors
 /// The model's.
 #[inline(always)]
-pub(super) fn derivative<H, C, G, const N: usize>(
+pub(super) fn derivative<const M: usize, H, C, G, const N: usize>(
     coordinates: &C,
     y: &[f64; N],
     headings: &[Heading<C::Across>; 2],
@@ -239,17 +263,14 @@ where
     C: Dynamics<N>,
     G: Effect<Gravity>,
 {
-    // Matched by reference: the loads are too large to be moved about.
-    let loads = at.model.interacting_loads(at.gap, at.set);
-    let loads = match &loads {
-        Ok(loads) => loads,
-        Err(error) => return Err(error.clone()),
-    };
+    let (mut pair, mut modes) = (PairMobility::default(), [ModeMobility::default(); M]);
+    (at.model).interacting_mobility(at.gap, at.mobility_set(), (&mut pair, &mut modes))?;
     let external = at.external(coordinates, y);
-    let velocity = C::velocity(at.gap, loads, at.squirmers, headings, &external);
+    let read = &modes[..at.set.modes.min(M)];
+    let velocity = C::velocity((&pair, read), at.squirmers, headings, &external);
     let mut dy = coordinates.derivative(y, &velocity);
     if let Some(gravity) = at.gravity.get() {
-        coordinates.add_axial_spin(y, &mut dy, loads, gravity, at.squirmers);
+        coordinates.add_axial_spin(y, &mut dy, &pair, gravity, at.squirmers);
     }
     Ok(dy)
 }

@@ -66,7 +66,7 @@ impl Task for Evaluation<'_> {
         let y = motion.coordinates.encode(self.configuration);
         let mut dy = motion.called(0.0, &y);
         for _ in 1..self.times {
-            dy = black_box(motion.rhs(0.0, black_box(&y)));
+            dy = black_box(motion.called(0.0, black_box(&y)));
         }
         match motion.failure {
             Some(error) => Err(error),

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::coordinates::{Spatial, along_line, spin_about};
 use super::equations::{Dynamics as _, Effect, Instant};
-use crate::balance::{Heading, axial_spin_by_swirl, pair_velocity_with_swirl};
+use crate::mobility::{Heading, Mobility, SwirlMobilities, add_swirl, pair_velocity};
 use crate::{Gravity, Hydrodynamics, SceneError};
 
 /// The effect of swirl. Its modes are the squirmers' own.
@@ -28,25 +28,20 @@ where
     G: Effect<Gravity>,
     W: Effect<Swirl>,
 {
-    let both = at.model.interacting_loads_with_swirl(at.gap, at.set);
-    let (loads, swirl) = match &both {
-        Ok(both) => both,
-        Err(error) => return Err(error.clone()),
-    };
+    let (mut mobility, mut swirl) = (Mobility::default(), SwirlMobilities::default());
+    let Mobility { pair, modes } = &mut mobility;
+    let set = at.mobility_set();
+    (at.model).interacting_mobility_with_swirl(at.gap, set, (pair, modes), &mut swirl)?;
     let d = along_line(y);
     let turned = [0, 1].map(|k| d.cross(&headings[k].transverse));
-    let velocity = pair_velocity_with_swirl(
-        at.gap,
-        (loads, swirl),
-        at.squirmers,
-        (headings, &turned),
-        &at.external(coordinates, y),
-    );
+    let external = at.external(coordinates, y);
+    let read = &modes[..at.set.modes];
+    let mut velocity = pair_velocity((pair, read), at.squirmers, headings, &external);
+    let spins = add_swirl(&mut velocity, &swirl, at.squirmers, (headings, &turned));
     let mut dy = coordinates.derivative(y, &velocity);
-    let spins = axial_spin_by_swirl((loads, swirl), at.squirmers, headings);
     spin_about(&d, y, &mut dy, spins);
     if let Some(gravity) = at.gravity.get() {
-        coordinates.add_axial_spin(y, &mut dy, loads, gravity, at.squirmers);
+        coordinates.add_axial_spin(y, &mut dy, pair, gravity, at.squirmers);
     }
     Ok(dy)
 }

@@ -3,17 +3,7 @@
 use std::fmt;
 
 use super::{Plan, State};
-use crate::Hydrodynamics;
-
-/// Which of the two combinations of the spheres are needed: the sum and the difference of a load over
-/// the spheres, or both.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Parities {
-    /// Both spheres are driven alike in the laboratory frame.
-    pub sum: bool,
-    /// Both spheres are driven in opposite ways.
-    pub difference: bool,
-}
+use crate::{Hydrodynamics, Parities};
 
 /// The loads that the equation of motion of a plan uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,10 +46,7 @@ impl NeededLoads {
     #[must_use]
     pub fn names(&self) -> Vec<String> {
         // Opposed spins go with like translations: loads of torques have the other parity.
-        let crossed = Parities {
-            sum: self.transverse.difference,
-            difference: self.transverse.sum,
-        };
+        let crossed = self.transverse.crossed();
         let marked = |own: String, other: String, of: Parities| match (of.sum, of.difference) {
             (true, true) => Some(format!("{own}, {other}")),
             (true, false) => Some(format!("{own} + {other}")),
@@ -132,11 +119,14 @@ impl Plan {
     #[must_use]
     pub fn needed_loads(&self) -> NeededLoads {
         let set = self.load_set();
-        let parities = |[sum, difference]: [bool; 2]| Parities { sum, difference };
         NeededLoads {
-            axial: parities(set.axial_parities()),
-            transverse: parities(set.transverse_parities()),
-            twist: parities([set.twist; 2]),
+            axial: set.axial,
+            transverse: set.transverse,
+            twist: if set.twist {
+                Parities::BOTH
+            } else {
+                Parities::NONE
+            },
             modes: set.modes,
             swirl: set.swirl,
         }

@@ -1,22 +1,23 @@
 //! Building a table: adaptively, in parallel, to a tolerance or the model's noise.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use super::chebyshev::{FIRST_DEGREE, MAX_DEGREE, coefficients, points, tail, variation};
-use super::parts::Parts;
-use super::tally::{ESTIMATES, Tally};
-use super::{BuildProgress, FAR_GAP, Piece, Table, TableLimit, TableSummary, Tabulated};
-use crate::{Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, SceneError, singular};
+use super::columns::Group;
+use super::parts::{Piece, Stretch};
+use super::tally::Tally;
+use super::{BuildProgress, FAR_GAP, TableLimit, Tabulated};
+use crate::{Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, SceneError};
 
 /// How to build a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TableOptions {
-    /// Loads to tabulate.
+    /// The loads whose balance the motion reads; squirming modes 1 and 2 are always tabulated.
     pub set: LoadSet,
-    /// Interpolation error to reach, relative to the larger of the load and 1.
+    /// Interpolation error to reach, relative to the larger of the coefficient and 1: an error of velocity.
     pub tolerance: f64,
     /// Smallest gap of the table, below which the model itself is asked; the model's smallest if that
     /// is larger.
@@ -24,58 +25,59 @@ pub struct TableOptions {
 }
 
 /// Share of the interpolation error that the parts of a piece may add.
-const PARTS_ACCURACY: f64 = 1e-3;
+const PARTS_ACCURACY: f64 = 1e-2;
 
 /// Halvings of a piece after which its interpolant is taken as it is.
-const MAX_HALVINGS: usize = 12;
+const MAX_HALVINGS: u32 = 12;
 
 /// A gap so large that the two spheres do not feel each other to the last bit.
 const INFINITE_GAP: f64 = 1e18;
 
-/// The coordinate of a region of the table.
-#[derive(Clone, Copy)]
-enum Coordinate {
-    LogGap,
-    InverseDistance,
+/// A stretch of a table's coordinate: `ln eps` up to [`FAR_GAP`], `1/r` beyond.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Interval {
+    pub low: f64,
+    pub high: f64,
+    pub far: bool,
 }
 
-impl Coordinate {
-    fn gap(self, x: f64) -> Result<Gap, SceneError> {
-        match self {
-            Self::LogGap => Ok(Gap::from_ln(x)),
-            Self::InverseDistance => Gap::new((1.0 / x - 2.0).min(INFINITE_GAP)),
+/// Width of parts that nearly all columns take, in `ln eps` and in `1/r`, and their highest number. Those that would do with wider
+/// ones have them too, so that a look-up finds its part once for all columns.
+const USUAL_WIDTH: [f64; 2] = [0.16, 0.02];
+const MOST_USUAL: f64 = 64.0;
+
+/// `ln eps` from which on stretches are twice as long as the one before: near contact the coefficients are functions of `1/ln eps`.
+const LOG_STRETCHES_FROM: f64 = -16.0;
+
+impl Interval {
+    /// The least number of parts, as a power of two.
+    pub fn least_parts(&self) -> u32 {
+        let parts = (self.high - self.low) / USUAL_WIDTH[usize::from(self.far)];
+        parts.clamp(1.0, MOST_USUAL).log2().ceil() as u32
+    }
+
+    /// The gap at `x`, which is kept off the ends, where a seam may belong to the neighbour.
+    fn gap(&self, x: f64) -> Result<Gap, SceneError> {
+        let margin = 1e-12 * (self.high - self.low);
+        let x = x.clamp(self.low + margin, self.high - margin);
+        if self.far {
+            Gap::new((1.0 / x - 2.0).min(INFINITE_GAP))
+        } else {
+            Ok(Gap::from_ln(x))
         }
     }
 }
 
-struct Builder<'a> {
-    model: &'a dyn Hydrodynamics,
-    options: TableOptions,
-    /// The tolerance asked for or the model's noise, whichever is larger.
-    target: f64,
-    evaluations: AtomicUsize,
-    tally: Tally<'a>,
+/// The gaps of a table, and the stretches between its ends and the model's seams: near ones by rising gap, then far ones by rising
+/// `1/r`.
+#[derive(Clone, Debug)]
+pub(super) struct Layout {
+    pub range: GapRange,
+    pub stretches: Vec<Interval>,
 }
 
-impl Tabulated {
-    /// Tabulates `model`; `progress` is told how far it is.
-    ///
-    /// # Errors
-    /// Those of the model; [`SceneError::NotPositive`] for a tolerance or smallest gap that is not
-    /// positive; [`SceneError::TooManyModes`].
-    pub fn build(
-        model: impl Hydrodynamics + 'static,
-        options: TableOptions,
-        progress: &(dyn Fn(BuildProgress) + Sync),
-    ) -> Result<Self, SceneError> {
-        Self::of(Arc::new(model), options, progress)
-    }
-
-    fn of(
-        model: Arc<dyn Hydrodynamics>,
-        options: TableOptions,
-        progress: &(dyn Fn(BuildProgress) + Sync),
-    ) -> Result<Self, SceneError> {
+impl Layout {
+    pub fn of(model: &dyn Hydrodynamics, options: &TableOptions) -> Result<Self, SceneError> {
         for (what, value) in [
             ("table tolerance", options.tolerance),
             ("smallest gap", options.smallest_gap),
@@ -89,201 +91,28 @@ impl Tabulated {
             range: answers,
             cutoff,
             seams,
-            noise,
+            ..
         } = model.description();
         let smallest = options.smallest_gap.max(answers.smallest);
-        // Spheres that no longer interact have no loads far apart that anybody reads.
+        // Spheres that no longer interact have no mobility far apart that anybody reads.
         let beyond_cut = cutoff.filter(|&cut| cut > smallest);
         let range = GapRange {
             smallest,
             largest: beyond_cut.map_or(answers.largest, |cut| (2.0 * cut).max(FAR_GAP)),
         };
-        let target = noise.max(options.tolerance);
-        let builder = Builder {
-            model: model.as_ref(),
-            options,
-            target,
-            evaluations: AtomicUsize::new(0),
-            tally: Tally::new(progress),
-        };
-        let (near, far) = regions(range, seams)?;
-        (builder.tally).wait_for(
-            [&near, &far]
-                .map(|ends| ends.len().saturating_sub(1))
-                .iter()
-                .sum(),
-        );
-        let (near, near_error) = builder.region(Coordinate::LogGap, &near)?;
-        let (far, far_error) = builder.region(Coordinate::InverseDistance, &far)?;
-        let evaluations = builder.evaluations.into_inner();
-        let interpolation_error = near_error.max(far_error);
-        let limit = if interpolation_error > target {
-            TableLimit::Missed(interpolation_error)
-        } else if noise > options.tolerance {
-            TableLimit::Noise(noise)
-        } else {
-            TableLimit::Tolerance(options.tolerance)
-        };
-        let table = Table {
-            set: options.set,
-            range,
-            near,
-            far,
-            summary: TableSummary {
-                limit,
-                interpolation_error,
-                evaluations,
-            },
-        };
-        Ok(Self { model, table })
+        let stretches = stretches(range, seams)?;
+        Ok(Self { range, stretches })
     }
 }
 
-impl Builder<'_> {
-    /// The pieces between consecutive `ends`, and their largest interpolation error.
-    fn region(
-        &self,
-        coordinate: Coordinate,
-        ends: &[f64],
-    ) -> Result<(Vec<Piece>, f64), SceneError> {
-        let pieces: Vec<_> = ends
-            .par_windows(2)
-            .map(|ends| self.pieces(coordinate, ends[0], ends[1], 0))
-            .collect::<Result<Vec<_>, _>>()?
-            .concat();
-        let error = pieces.iter().map(|(_, e)| *e).fold(0.0, f64::max);
-        Ok((pieces.into_iter().map(|(piece, _)| piece).collect(), error))
-    }
-
-    /// One piece from `low` to `high`, or its halves if it does not converge.
-    fn pieces(
-        &self,
-        coordinate: Coordinate,
-        low: f64,
-        high: f64,
-        halvings: usize,
-    ) -> Result<Vec<(Piece, f64)>, SceneError> {
-        let mut degree = FIRST_DEGREE;
-        self.tally.begin();
-        let mut values = self.values(coordinate, low, high, degree, None)?;
-        loop {
-            let rows = coefficients(&values);
-            let read = self.options.set.read_columns();
-            let error = tail(&rows, &values, &read);
-            let done = error <= self.target;
-            if done || (degree == MAX_DEGREE && halvings == MAX_HALVINGS) {
-                let error = if done {
-                    error
-                } else {
-                    error.max(variation(&values, &read))
-                };
-                self.tally.settle(degree);
-                let of_model = self.model_error(coordinate, low, high)?;
-                let of_pair = self.options.set.column_count();
-                let (pair, swirl): (Vec<_>, Vec<_>) = (rows.iter())
-                    .map(|row| row.split_at(of_pair))
-                    .map(|(pair, swirl)| (pair.to_vec(), swirl.to_vec()))
-                    .unzip();
-                let accuracy = PARTS_ACCURACY * self.target;
-                let piece = Piece {
-                    low,
-                    high,
-                    pair: Parts::of_series(&pair, accuracy, &read),
-                    swirl: Parts::of_series(&swirl, accuracy, &[]),
-                    error: of_model,
-                };
-                self.tally.finish(degree);
-                return Ok(vec![(piece, error)]);
-            }
-            if degree == MAX_DEGREE {
-                self.tally.halve();
-                let middle = 0.5 * (low + high);
-                let (left, right) = rayon::join(
-                    || self.pieces(coordinate, low, middle, halvings + 1),
-                    || self.pieces(coordinate, middle, high, halvings + 1),
-                );
-                let mut pieces = left?;
-                pieces.extend(right?);
-                return Ok(pieces);
-            }
-            self.tally.try_beyond(degree);
-            degree *= 2;
-            values = self.values(coordinate, low, high, degree, Some(values))?;
-        }
-    }
-
-    /// The largest of the model's error estimates at the ends of a piece and in its middle.
-    fn model_error(
-        &self,
-        coordinate: Coordinate,
-        low: f64,
-        high: f64,
-    ) -> Result<Option<f64>, SceneError> {
-        let mut largest: Option<f64> = None;
-        let places: [f64; ESTIMATES] = [low, 0.5 * (low + high), high];
-        for x in places {
-            let gap = coordinate.gap(inside(x, low, high))?;
-            let estimate = self.model.error_estimate(gap, self.options.set)?;
-            self.tally.one_done();
-            largest = match (largest, estimate) {
-                (Some(a), Some(b)) => Some(a.max(b)),
-                (a, b) => a.or(b),
-            };
-        }
-        Ok(largest)
-    }
-
-    /// Smooth part of the loads at the Chebyshev points; every other one is already known from
-    /// half the degree.
-    fn values(
-        &self,
-        coordinate: Coordinate,
-        low: f64,
-        high: f64,
-        degree: usize,
-        known: Option<Vec<Vec<f64>>>,
-    ) -> Result<Vec<Vec<f64>>, SceneError> {
-        let points: Vec<_> = points(degree).collect();
-        points
-            .par_iter()
-            .enumerate()
-            .map(|(k, &u)| match &known {
-                Some(known) if k % 2 == 0 => Ok(known[k / 2].clone()),
-                _ => {
-                    let x = 0.5 * (low + high) + 0.5 * (high - low) * u;
-                    self.smooth_part(coordinate, inside(x, low, high))
-                }
-            })
-            .collect()
-    }
-
-    fn smooth_part(&self, coordinate: Coordinate, x: f64) -> Result<Vec<f64>, SceneError> {
-        let gap = coordinate.gap(x)?;
-        let set = self.options.set;
-        let mut columns: Vec<f64> = if set.swirl == 0 {
-            self.model.interacting_loads(gap, set)?.columns().collect()
-        } else {
-            let (pair, swirl) = self.model.interacting_loads_with_swirl(gap, set)?;
-            pair.columns().chain(swirl.columns()).collect()
-        };
-        if let Coordinate::LogGap = coordinate {
-            let pair = singular::loads(gap, set, singular::AXIAL_SQUIRMING);
-            let swirl = singular::swirl(gap, set);
-            for (column, s) in (columns.iter_mut()).zip(pair.columns().chain(swirl.columns())) {
-                *column -= s;
-            }
-        }
-        self.evaluations.fetch_add(1, Ordering::Relaxed);
-        self.tally.one_done();
-        Ok(columns)
-    }
-}
-
-/// Ends of the pieces of both regions: ends of the range, and the seams in between.
-fn regions(range: GapRange, seams: &[f64]) -> Result<(Vec<f64>, Vec<f64>), SceneError> {
+/// The stretches between the ends of the range and the seams in between.
+fn stretches(range: GapRange, seams: &[f64]) -> Result<Vec<Interval>, SceneError> {
     let split = FAR_GAP.ln();
     let largest = Gap::new(range.largest.min(INFINITE_GAP))?;
-    let mut near = vec![range.smallest.ln(), split];
+    let smallest = range.smallest.max(f64::MIN_POSITIVE).ln();
+    let mut near = vec![smallest, split];
+    let doubled = std::iter::successors(Some(LOG_STRETCHES_FROM), |end| Some(2.0 * end));
+    near.extend(doubled.take_while(|end| *end > smallest));
     let farthest = if range.largest.is_finite() {
         1.0 / largest.distance()
     } else {
@@ -303,13 +132,216 @@ fn regions(range: GapRange, seams: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Scene
             far.push(1.0 / seam.distance());
         }
     }
-    near.sort_by(f64::total_cmp);
-    far.sort_by(f64::total_cmp);
-    Ok((near, far))
+    let mut all = Vec::new();
+    for (mut ends, far) in [(near, false), (far, true)] {
+        ends.sort_by(f64::total_cmp);
+        all.extend((ends.windows(2)).map(|ends| Interval {
+            low: ends[0],
+            high: ends[1],
+            far,
+        }));
+    }
+    Ok(all)
 }
 
-/// `x`, kept off the ends of a piece, where a seam may belong to the neighbour.
-fn inside(x: f64, low: f64, high: f64) -> f64 {
-    let margin = 1e-12 * (high - low);
-    x.clamp(low + margin, high - margin)
+/// A group of columns as it is worked out, and kept on disk.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Tabulation {
+    /// For each stretch of the layout.
+    pub stretches: Vec<Stretch>,
+    /// Estimate of the largest interpolation error, relative to the larger of the coefficient and 1.
+    pub error: f64,
+    /// Number of gaps at which the model was evaluated.
+    pub evaluations: usize,
+}
+
+/// What the interpolation error of a table is brought down to, if it is.
+pub(super) fn limit(options: &TableOptions, noise: f64, error: f64) -> TableLimit {
+    if error > noise.max(options.tolerance) {
+        TableLimit::Missed(error)
+    } else if noise > options.tolerance {
+        TableLimit::Noise(noise)
+    } else {
+        TableLimit::Tolerance(options.tolerance)
+    }
+}
+
+struct Builder<'a> {
+    model: &'a dyn Hydrodynamics,
+    /// The tolerance asked for or the model's noise, whichever is larger.
+    target: f64,
+    tally: &'a Tally<'a>,
+}
+
+/// A group of columns on part of a stretch, with its interpolation error and the number of gaps that it took.
+struct Built {
+    group: Group,
+    pieces: Vec<Piece>,
+    error: f64,
+    evaluations: usize,
+}
+
+/// The columns of each group of a batch at one gap.
+type Values = Vec<Vec<f64>>;
+
+impl Tabulated {
+    /// Tabulates `model`; `progress` is told how far it is.
+    ///
+    /// # Errors
+    /// Those of the model; [`SceneError::NotPositive`] for a tolerance or smallest gap that is not
+    /// positive; [`SceneError::TooManyModes`].
+    pub fn build(
+        model: Arc<dyn Hydrodynamics>,
+        options: TableOptions,
+        progress: &(dyn Fn(BuildProgress) + Sync),
+    ) -> Result<Self, SceneError> {
+        let layout = Layout::of(model.as_ref(), &options)?;
+        let tally = Tally::new(progress);
+        let tabulations = tabulate(
+            model.as_ref(),
+            &Group::of(options.set),
+            &options,
+            &layout,
+            &tally,
+        )?;
+        Self::new(model, &options, &layout, tabulations)
+    }
+}
+
+/// Tabulates `groups` of columns. Those of a batch ask the model at the same gaps, until each is done.
+pub(super) fn tabulate(
+    model: &dyn Hydrodynamics,
+    groups: &[Group],
+    options: &TableOptions,
+    layout: &Layout,
+    tally: &Tally<'_>,
+) -> Result<Vec<(Group, Tabulation)>, SceneError> {
+    let batches = Group::batches(groups);
+    tally.wait_for(batches.len() * layout.stretches.len());
+    let builder = Builder {
+        model,
+        target: model.description().noise.max(options.tolerance),
+        tally,
+    };
+    let tabulated = (batches.par_iter())
+        .map(|batch| builder.tabulate(batch, &layout.stretches))
+        .collect::<Result<Vec<_>, _>>()?;
+    Ok(tabulated.into_iter().flatten().collect())
+}
+
+impl Builder<'_> {
+    fn tabulate(
+        &self,
+        batch: &[Group],
+        stretches: &[Interval],
+    ) -> Result<Vec<(Group, Tabulation)>, SceneError> {
+        let built = (stretches.par_iter())
+            .map(|stretch| self.built(stretch, (stretch.low, stretch.high), 0, batch))
+            .collect::<Result<Vec<_>, SceneError>>()?;
+        let tabulation = |&group: &Group| {
+            let on_stretches: Vec<&Built> = (built.iter().flatten())
+                .filter(|built| built.group == group)
+                .collect();
+            let stretch = |(built, stretch): (&&Built, &Interval)| {
+                let accuracy = PARTS_ACCURACY * self.target;
+                Stretch::of_pieces(&built.pieces, accuracy, stretch.least_parts())
+            };
+            let tabulation = Tabulation {
+                stretches: on_stretches.iter().zip(stretches).map(stretch).collect(),
+                error: (on_stretches.iter()).fold(0.0, |most, built| built.error.max(most)),
+                evaluations: on_stretches.iter().map(|built| built.evaluations).sum(),
+            };
+            (group, tabulation)
+        };
+        Ok(batch.iter().map(tabulation).collect())
+    }
+
+    /// Each group of the batch from `low` to `high`, on one piece, or on the halves where it does not converge.
+    fn built(
+        &self,
+        stretch: &Interval,
+        (low, high): (f64, f64),
+        halvings: u32,
+        batch: &[Group],
+    ) -> Result<Vec<Built>, SceneError> {
+        let mut degree = FIRST_DEGREE;
+        self.tally.begin();
+        let (mut left, mut done) = (batch.to_vec(), Vec::new());
+        let mut values = self.values(stretch, (low, high), degree, &left, None)?;
+        loop {
+            let last = degree == MAX_DEGREE && halvings == MAX_HALVINGS;
+            for k in (0..left.len()).rev() {
+                let of_group: Vec<Vec<f64>> = values.iter().map(|all| all[k].clone()).collect();
+                let series = coefficients(&of_group);
+                let error = tail(&series, &of_group);
+                let converged = error <= self.target;
+                if converged || last {
+                    let missed = if converged { 0.0 } else { variation(&of_group) };
+                    done.push(Built {
+                        group: left.remove(k),
+                        pieces: vec![Piece { halvings, series }],
+                        error: error.max(missed),
+                        evaluations: degree + 1,
+                    });
+                    for all in &mut values {
+                        all.remove(k);
+                    }
+                }
+            }
+            if left.is_empty() {
+                self.tally.finish(degree);
+                return Ok(done);
+            }
+            if degree == MAX_DEGREE {
+                self.tally.halve();
+                let middle = 0.5 * (low + high);
+                let (lower, upper) = rayon::join(
+                    || self.built(stretch, (low, middle), halvings + 1, &left),
+                    || self.built(stretch, (middle, high), halvings + 1, &left),
+                );
+                let mut upper = upper?;
+                for mut built in lower? {
+                    // Both halves have the same groups.
+                    let Some(k) = upper.iter().position(|other| other.group == built.group) else {
+                        continue;
+                    };
+                    let other = upper.swap_remove(k);
+                    built.pieces.extend(other.pieces);
+                    built.error = built.error.max(other.error);
+                    built.evaluations += other.evaluations + degree + 1;
+                    done.push(built);
+                }
+                return Ok(done);
+            }
+            self.tally.try_beyond(degree);
+            degree *= 2;
+            values = self.values(stretch, (low, high), degree, &left, Some(values))?;
+        }
+    }
+
+    /// The columns at the Chebyshev points from `low` to `high`; every other one is already known from
+    /// half the degree.
+    fn values(
+        &self,
+        stretch: &Interval,
+        (low, high): (f64, f64),
+        degree: usize,
+        batch: &[Group],
+        known: Option<Vec<Values>>,
+    ) -> Result<Vec<Values>, SceneError> {
+        let points: Vec<_> = points(degree).collect();
+        points
+            .par_iter()
+            .enumerate()
+            .map(|(k, &u)| match &known {
+                Some(known) if k % 2 == 0 => Ok(known[k / 2].clone()),
+                _ => {
+                    let gap = stretch.gap(0.5 * (low + high) + 0.5 * (high - low) * u)?;
+                    let values = Group::values(batch, self.model, gap, stretch.far)?;
+                    self.tally.one_done();
+                    Ok(values)
+                }
+            })
+            .collect()
+    }
 }

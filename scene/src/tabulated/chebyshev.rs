@@ -36,12 +36,10 @@ pub(crate) fn coefficients(values: &[Vec<f64>]) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// Size of the last coefficients, in columns relative to the larger of their values and 1, leaving out those of
-/// the pair that are not `read`.
-pub(crate) fn tail(rows: &[Vec<f64>], values: &[Vec<f64>], read: &[bool]) -> f64 {
+/// Size of the last coefficients, in columns relative to the larger of their values and 1.
+pub(crate) fn tail(rows: &[Vec<f64>], values: &[Vec<f64>]) -> f64 {
     let columns = rows.first().map_or(0, Vec::len);
     (0..columns)
-        .filter(|&column| read.get(column).is_none_or(|read| *read))
         .map(|column| {
             let scale = values.iter().map(|v| v[column].abs()).fold(1.0, f64::max);
             let last = rows.iter().rev().take(2).map(|row| row[column].abs());
@@ -50,12 +48,11 @@ pub(crate) fn tail(rows: &[Vec<f64>], values: &[Vec<f64>], read: &[bool]) -> f64
         .fold(0.0, f64::max)
 }
 
-/// Largest variation of a column over the values, relative to the larger of the values and 1, among those `read`: what
-/// an interpolant that has not converged may be off by.
-pub(crate) fn variation(values: &[Vec<f64>], read: &[bool]) -> f64 {
+/// Largest variation of a column over the values, relative to the larger of the values and 1: what an interpolant that has not
+/// converged may be off by.
+pub(crate) fn variation(values: &[Vec<f64>]) -> f64 {
     let columns = values.first().map_or(0, Vec::len);
     (0..columns)
-        .filter(|&column| read.get(column).is_none_or(|read| *read))
         .map(|column| {
             let of = || values.iter().map(|v| v[column]);
             let scale = of().map(f64::abs).fold(1.0, f64::max);

@@ -1,19 +1,26 @@
 //! Tables kept on disk: a kept table serves again only if it is whole and fits.
 
+use std::sync::Arc;
+
 use std::path::{Path, PathBuf};
 
 use super::tests::Made;
 use super::*;
 
+/// A table of one group of columns, and whether it was built.
 fn cached(model: Made, folder: &Path) -> (Tabulated, bool) {
+    cached_of(LoadSet::axial(2).mirror_symmetric(), model, folder)
+}
+
+fn cached_of(set: LoadSet, model: Made, folder: &Path) -> (Tabulated, bool) {
     let options = TableOptions {
-        set: LoadSet::all(2),
+        set,
         tolerance: 1e-8,
         smallest_gap: 1e-3,
     };
     let solved = std::sync::atomic::AtomicBool::new(false);
     let progress = |_| solved.store(true, std::sync::atomic::Ordering::Relaxed);
-    let table = Tabulated::load_or_build(model, options, folder, &progress).unwrap();
+    let table = Tabulated::load_or_build(Arc::new(model), options, folder, &progress).unwrap();
     (table, solved.into_inner())
 }
 
@@ -37,7 +44,7 @@ fn a_kept_table_serves_again_bit_for_bit() {
     assert!(solved);
     let (loaded, solved) = cached(QUIET, folder.path());
     assert!(!solved);
-    assert_eq!(built.table, loaded.table);
+    assert_eq!(built.columns, loaded.columns);
 }
 
 #[test]
@@ -77,7 +84,7 @@ fn a_damaged_table_is_built_again_and_kept_again() {
         std::fs::write(&path, damaged).unwrap();
         let (again, solved) = cached(QUIET, folder.path());
         assert!(solved);
-        assert_eq!(again.table, built.table);
+        assert_eq!(again.columns, built.columns);
         assert_eq!(std::fs::read(&path).unwrap(), whole);
     }
 }
@@ -90,7 +97,7 @@ fn tables_kept_in_one_folder_at_once_are_equal_and_leave_one_whole_file() {
     std::thread::scope(|scope| {
         let threads = [(); 4].map(|()| scope.spawn(|| cached(QUIET, &folder).0));
         for thread in threads {
-            assert_eq!(thread.join().unwrap().table, built.table);
+            assert_eq!(thread.join().unwrap().columns, built.columns);
         }
     });
     let [kept, expected] = [&folder, alone.path()].map(|at| std::fs::read(only_file(at)).unwrap());
@@ -106,5 +113,36 @@ fn a_folder_that_cannot_be_written_costs_only_the_keeping() {
     // Not even the superuser can make a folder below a file.
     let (built, solved) = cached(QUIET, &file.path().join("below"));
     assert!(solved);
-    assert_eq!(built.table, cached(QUIET, folder.path()).0.table);
+    assert_eq!(built.columns, cached(QUIET, folder.path()).0.columns);
+}
+
+#[test]
+fn no_scene_builds_what_another_has_built_nor_is_its_answer_another_one_for_it() {
+    let (one, other) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let sets = [
+        LoadSet::axial(1).mirror_symmetric(),
+        LoadSet::planar(2).point_symmetric(),
+        LoadSet::planar(1),
+        LoadSet::all(3),
+        LoadSet::all(2).with_swirl(1),
+    ];
+    let tables = |sets: &mut dyn Iterator<Item = LoadSet>, folder: &Path| -> Vec<_> {
+        sets.map(|set| (set, cached_of(set, QUIET, folder).0))
+            .collect()
+    };
+    let upwards = tables(&mut sets.into_iter(), one.path());
+    let mut downwards = tables(&mut sets.into_iter().rev(), other.path());
+    downwards.reverse();
+    for ((set, table), (_, same)) in upwards.iter().zip(&downwards) {
+        assert_eq!(table.columns, same.columns, "{set}");
+        assert_eq!(table.columns, cached_of(*set, QUIET, one.path()).0.columns);
+    }
+    for set in [
+        LoadSet::planar(2),
+        LoadSet::axial(2),
+        LoadSet::planar(3).mirror_symmetric(),
+    ] {
+        assert!(!cached_of(set, QUIET, one.path()).1, "{set} is built again");
+    }
+    assert!(cached_of(LoadSet::axial(4), QUIET, one.path()).1);
 }

@@ -1,17 +1,21 @@
-//! Any hydrodynamic model as a table: full hydrodynamics at lubrication's price.
+//! Any hydrodynamic model as a table of mobilities: full hydrodynamics at lubrication's price.
 //!
-//! Up to the gap [`FAR_GAP`] the table interpolates in `ln eps` what is left of the loads when the
-//! parts that diverge at contact ([`singular`]) are subtracted; beyond, in `1/r`, out to infinity.
-//! Pieces end at the model's seams. Chebyshev points are doubled, and pieces halved, until the
-//! last coefficients are below the tolerance or the model's own noise; what is evaluated are polynomials
-//! of low degree on equal parts of a piece (`parts`). Outside its gaps a
+//! Up to the gap [`FAR_GAP`] the table interpolates in `ln eps`, in which the coefficients are smooth down to contact; beyond, in
+//! `1/r`, out to infinity, times what keeps them bounded there. Stretches end at the model's seams. Chebyshev points are doubled, and
+//! pieces halved, until the last coefficients are below the tolerance or the model's own noise; what is evaluated are polynomials
+//! of low degree on equal parts (`parts`). Columns that follow from one part of the balance are tabulated together
+//! (`columns`), and apart from all others: what a table answers does not depend on what else it holds.
+//!
+//! Outside its gaps a
 //! table asks the model, which may have a closed form there, or refuse. Of a model with a cut the table
-//! holds the loads of spheres that interact, to the cut and some way beyond, so that nothing jumps; beyond the cut the
-//! spheres are alone, as by the model.
+//! holds the mobilities of spheres that interact, to the cut and some way beyond, so that nothing jumps; beyond the cut the
+//! spheres are alone, as by the model. Loads are the model's own.
 
 mod build;
 mod cache;
 mod chebyshev;
+mod columns;
+mod look_up;
 mod parts;
 mod tally;
 
@@ -23,13 +27,12 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use self::parts::Parts;
-use crate::loads::{MAX_MODES, PairLoads};
-use crate::singular::Singular;
-use crate::swirl::swirl_column_count;
-use crate::{
-    Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, SceneError, SwirlLoads, singular,
-};
+use self::build::{Layout, Tabulation, limit};
+use self::columns::{BASE_MODES, Group};
+use self::look_up::{Columns, shrink};
+use self::parts::Place;
+use crate::mobility::{MobilitySet, ModeMobility, PairMobility, SwirlMobilities};
+use crate::{Gap, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError, SwirlLoads};
 
 /// Gap at which the table changes from `ln eps` to `1/r`, in radii.
 pub const FAR_GAP: f64 = 2.0;
@@ -50,225 +53,230 @@ pub enum TableLimit {
 pub struct TableSummary {
     /// What the interpolation error was brought down to.
     pub limit: TableLimit,
-    /// Estimate of the largest interpolation error, relative to the larger of the load and 1.
+    /// Estimate of the largest interpolation error of a coefficient, relative to the larger of it and 1: the error of a velocity by
+    /// unit slip, in units of the slip.
     pub interpolation_error: f64,
-    /// Number of gaps at which the model was evaluated.
+    /// Number of gaps at which the model was evaluated, each for a part of the balance.
     pub evaluations: usize,
 }
 
-/// An interval of the table's coordinate with its interpolant.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct Piece {
-    low: f64,
-    high: f64,
-    /// The columns of [`PairLoads::columns`].
-    pair: Parts,
-    /// The columns of [`SwirlLoads::columns`].
-    swirl: Parts,
-    /// The largest of the model's error estimates in this piece, if it has any.
-    error: Option<f64>,
-}
-
-impl Piece {
-    /// Where `x` lies in the piece, as a number in [0, 1].
-    #[inline]
-    fn relative(&self, x: f64) -> f64 {
-        (x - self.low) / (self.high - self.low)
-    }
-}
-
-/// A model tabulated over its whole range.
+/// The mobilities of a model tabulated over its whole range.
 #[derive(Clone)]
 pub struct Tabulated {
     model: Arc<dyn Hydrodynamics>,
-    table: Table,
+    set: LoadSet,
+    /// `ln eps` of the ends of the table.
+    ends: [f64; 2],
+    /// The stretches in `ln eps` and in `1/r`, by falling coordinate: near ones by falling gap, far ones by rising gap.
+    near: Vec<Span>,
+    far: Vec<Span>,
+    columns: Columns,
+    summary: TableSummary,
+}
+
+/// A stretch of the coordinate, `ln eps` or `1/r`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Span {
+    low: f64,
+    /// One over the length.
+    scale: f64,
+    index: usize,
+    /// The first of the parts that most columns have, and the number of them.
+    usual: (usize, u32),
 }
 
 impl fmt::Debug for Tabulated {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         (f.debug_struct("Tabulated"))
             .field("model", &self.model.fingerprint())
-            .field("table", &self.table)
-            .finish()
+            .field("set", &self.set)
+            .field("summary", &self.summary)
+            .finish_non_exhaustive()
     }
 }
 
-/// What is worked out for a table, and kept on disk.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-struct Table {
-    set: LoadSet,
-    range: GapRange,
-    /// In `ln eps`, ascending.
-    near: Vec<Piece>,
-    /// In `1/r`, ascending.
-    far: Vec<Piece>,
-    summary: TableSummary,
-}
-
 impl Tabulated {
+    /// From tabulations of all groups of the set.
+    fn new(
+        model: Arc<dyn Hydrodynamics>,
+        options: &TableOptions,
+        layout: &Layout,
+        tabulations: Vec<(Group, Tabulation)>,
+    ) -> Result<Self, SceneError> {
+        let noise = model.description().noise;
+        let error = (tabulations.iter()).fold(0.0, |most: f64, (_, t)| most.max(t.error));
+        let summary = TableSummary {
+            limit: limit(options, noise, error),
+            interpolation_error: error,
+            evaluations: tabulations.iter().map(|(_, t)| t.evaluations).sum(),
+        };
+        let usual: Vec<u32> = (layout.stretches.iter())
+            .map(|stretch| 1 << stretch.least_parts())
+            .collect();
+        let mut columns = Columns::default();
+        for (group, tabulation) in &tabulations {
+            columns.take(*group, tabulation, &usual);
+        }
+        let (mut near, mut far, mut first) = (Vec::new(), Vec::new(), 0);
+        for (index, (stretch, &count)) in layout.stretches.iter().zip(&usual).enumerate() {
+            let spans = if stretch.far { &mut far } else { &mut near };
+            spans.push(Span {
+                low: stretch.low,
+                // A little less, so that the upper end lies in the last part.
+                scale: (1.0 - 1e-14) / (stretch.high - stretch.low),
+                index,
+                usual: (first, count),
+            });
+            first += count as usize;
+        }
+        for spans in [&mut near, &mut far] {
+            spans.reverse();
+        }
+        // Rounding of exp(ln(eps)) must not leave out the ends themselves.
+        let slack = 1e-12;
+        Ok(Self {
+            model,
+            set: LoadSet {
+                modes: options.set.modes.max(BASE_MODES),
+                ..options.set
+            },
+            ends: [
+                layout.range.smallest.max(f64::MIN_POSITIVE).ln() - slack,
+                layout.range.largest.ln() + slack,
+            ],
+            near,
+            far,
+            columns,
+            summary,
+        })
+    }
+
     /// The model behind the table.
     pub fn model(&self) -> &dyn Hydrodynamics {
         self.model.as_ref()
     }
 
-    /// The loads that it has columns for.
+    /// The loads whose balance it holds.
     pub fn set(&self) -> LoadSet {
-        self.table.set
+        self.set
     }
 
     /// How the table was built.
     pub fn summary(&self) -> TableSummary {
-        self.table.summary
-    }
-}
-
-impl Table {
-    /// Whether `gap` lies outside the table, so that the model has to answer or refuse.
-    #[inline]
-    fn is_outside(&self, gap: Gap) -> bool {
-        self.range.check(gap).is_err()
+        self.summary
     }
 
-    /// The piece that `gap` lies in, and its coordinate there.
-    #[inline]
-    fn piece(&self, gap: Gap) -> Result<(&Piece, f64), SceneError> {
-        let (pieces, x) = if gap.eps() <= FAR_GAP {
-            (&self.near, gap.ln())
-        } else {
+    /// Where `gap` lies, which may be `far`; none outside the table, where the model has to answer or refuse.
+    #[inline(always)]
+    fn place(&self, gap: Gap, far: bool) -> Option<Place> {
+        let x = gap.ln();
+        // Not NaN.
+        if !(x >= self.ends[0] && x <= self.ends[1]) {
+            return None;
+        }
+        let (spans, x) = if far {
             (&self.far, 1.0 / gap.distance())
-        };
-        let index = pieces.partition_point(|piece| piece.high < x);
-        pieces
-            .get(index)
-            .or(pieces.last())
-            .map(|piece| (piece, x))
-            .ok_or(SceneError::InvalidGap { eps: gap.eps() })
-    }
-
-    /// The loads of `set` from a table whose columns are laid out as those of `layout`, of which the
-    /// first `N` are read.
-    #[inline]
-    fn loads<const N: usize>(
-        &self,
-        gap: Gap,
-        set: LoadSet,
-        layout: LoadSet,
-    ) -> Result<PairLoads, SceneError> {
-        let (piece, x) = self.piece(gap)?;
-        let singular = if gap.eps() <= FAR_GAP {
-            Singular::at(gap, singular::AXIAL_SQUIRMING).columns(layout)
         } else {
-            [0.0; N]
+            (&self.near, x)
         };
-        let columns = piece.pair.add_to(piece.relative(x), singular);
-        Ok(PairLoads::from_columns(set, layout, &columns))
+        // From above: there is where encounters are.
+        let span = spans.iter().find(|span| x >= span.low).or(spans.last())?;
+        Some(Place::new(
+            span.index,
+            (x - span.low) * span.scale,
+            span.usual,
+        ))
     }
 
-    /// The loads by swirl, from the first `N` columns.
-    #[inline]
-    fn swirl<const N: usize>(&self, gap: Gap, set: LoadSet) -> Result<SwirlLoads, SceneError> {
-        let (piece, x) = self.piece(gap)?;
-        let mut columns = [0.0; N];
-        if gap.eps() <= FAR_GAP {
-            let singular = singular::swirl(gap, set);
-            for (column, s) in columns.iter_mut().zip(singular.columns()) {
-                *column = s;
-            }
-        }
-        let columns = piece.swirl.add_to(piece.relative(x), columns);
-        Ok(SwirlLoads::from_columns(set, &columns))
-    }
-
-    /// The same, with the numbers of columns of 0, 1, 2 and all modes.
-    #[inline]
-    fn by_modes<const ZERO: usize, const ONE: usize, const TWO: usize, const ALL: usize>(
+    /// By the model: the gap is not in the table.
+    #[cold]
+    fn beyond(
         &self,
         gap: Gap,
-        set: LoadSet,
-        layout: LoadSet,
-    ) -> Result<PairLoads, SceneError> {
-        match set.modes {
-            0 => self.loads::<ZERO>(gap, set, layout),
-            1 => self.loads::<ONE>(gap, set, layout),
-            2 => self.loads::<TWO>(gap, set, layout),
-            // All at once would not fit into registers, but nor is this what encounters ask for.
-            _ => self.loads::<ALL>(gap, set, layout),
+        set: MobilitySet,
+        into: (&mut PairMobility, &mut [ModeMobility]),
+    ) -> Result<(), SceneError> {
+        self.model.interacting_mobility(gap, set, into)
+    }
+
+    /// Refuses a set that is not tabulated.
+    #[cold]
+    fn refused(&self, asked: LoadSet) -> SceneError {
+        SceneError::LoadsNotHeld {
+            asked,
+            held: self.set,
         }
     }
-}
-
-/// [`Table::by_modes`] for one layout, known to the compiler.
-#[rustfmt::skip]
-macro_rules! with_layout {
-    ($table:expr, $gap:expr, $set:expr, $of:path) => {
-        $table.by_modes::<
-            { $of(0).column_count() },
-            { $of(1).column_count() },
-            { $of(2).column_count() },
-            { $of(MAX_MODES).column_count() },
-        >($gap, $set, $of(MAX_MODES))
-    };
 }
 
 impl Hydrodynamics for Tabulated {
-    /// The model's, but for the noise, which is the interpolation error.
     fn description(&self) -> ModelDescription<'_> {
-        ModelDescription {
-            noise: self.table.summary.interpolation_error,
-            ..self.model.description()
-        }
+        self.model.description()
     }
 
     fn fingerprint(&self) -> String {
         format!("table of {}", self.model.fingerprint())
     }
 
-    #[inline]
+    /// The model's own.
     fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
-        let table = &self.table;
-        if !table.set.holds(set) {
-            return Err(SceneError::LoadsNotHeld {
-                asked: set,
-                held: table.set,
-            });
-        }
-        if table.is_outside(gap) {
-            return self.model.interacting_loads(gap, set);
-        }
-        match (table.set.transverse, table.set.twist) {
-            (true, true) => with_layout!(table, gap, set, LoadSet::all),
-            (true, false) => with_layout!(table, gap, set, LoadSet::planar),
-            (false, true) => with_layout!(table, gap, set, LoadSet::axial_and_twist),
-            (false, false) => with_layout!(table, gap, set, LoadSet::axial),
-        }
+        self.model.interacting_loads(gap, set)
     }
 
+    /// The model's own.
     fn interacting_loads_with_swirl(
         &self,
         gap: Gap,
         set: LoadSet,
     ) -> Result<(PairLoads, SwirlLoads), SceneError> {
-        let table = &self.table;
-        let loads = self.interacting_loads(gap, set)?;
-        if table.is_outside(gap) {
-            return self.model.interacting_loads_with_swirl(gap, set);
-        }
-        let swirl = match set.swirl {
-            0 => SwirlLoads::zero(set),
-            1 | 2 => table.swirl::<{ swirl_column_count(2) }>(gap, set)?,
-            _ => table.swirl::<{ swirl_column_count(MAX_MODES) }>(gap, set)?,
-        };
-        Ok((loads, swirl))
+        self.model.interacting_loads_with_swirl(gap, set)
     }
 
-    /// The model's own, the largest of those in the same piece, and the interpolation's.
-    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
-        if self.table.is_outside(gap) {
-            return self.model.error_estimate(gap, set);
+    fn interacting_mobility(
+        &self,
+        gap: Gap,
+        set: MobilitySet,
+        (pair, modes): (&mut PairMobility, &mut [ModeMobility]),
+    ) -> Result<(), SceneError> {
+        let far = gap.eps() > FAR_GAP;
+        let Some(place) = self.place(gap, far) else {
+            return self.beyond(gap, set, (pair, modes));
+        };
+        if self.columns.read(&place, set, pair, modes).is_none() {
+            return Err(self.refused(set.loads));
         }
-        let (piece, _) = self.table.piece(gap)?;
-        let interpolation = self.table.summary.interpolation_error;
-        Ok(piece.error.map(|error| error + interpolation))
+        if far {
+            shrink(gap, pair, modes);
+        }
+        Ok(())
+    }
+
+    fn interacting_mobility_with_swirl(
+        &self,
+        gap: Gap,
+        set: MobilitySet,
+        (pair, modes): (&mut PairMobility, &mut [ModeMobility]),
+        swirl: &mut SwirlMobilities,
+    ) -> Result<(), SceneError> {
+        let far = gap.eps() > FAR_GAP;
+        let Some(place) = self.place(gap, far) else {
+            let model = &self.model;
+            return model.interacting_mobility_with_swirl(gap, set, (pair, modes), swirl);
+        };
+        self.interacting_mobility(gap, set, (pair, modes))?;
+        for (n, of_mode) in swirl.iter_mut().enumerate().take(set.loads.swirl) {
+            let read = self.columns.swirl(&place, n);
+            *of_mode = read.ok_or_else(|| self.refused(set.loads))?;
+            if far {
+                of_mode.across.turning /= gap.distance();
+            }
+        }
+        Ok(())
+    }
+
+    /// The model's own, of its loads.
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
+        self.model.error_estimate(gap, set)
     }
 }
 

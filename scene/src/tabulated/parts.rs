@@ -1,92 +1,175 @@
-//! What a look-up evaluates: polynomials of low degree on equal parts of a piece.
+//! What a look-up evaluates: polynomials of low degree on equal parts of a stretch.
 //!
 //! A piece converges as one Chebyshev series of up to 33 terms, the cheapest in solves of the model. On
-//! parts of it the same series is matched by polynomials of a third of the length, which take no further solve,
+//! parts of it the same series is matched by polynomials of a fraction of the length, which take no further solve,
 //! and by Horner's rule no recurrence.
 
 use serde::{Deserialize, Serialize};
+use wide::f64x2;
 
 use super::chebyshev::{coefficients, interpolant, points, tail};
 
-/// Highest degree on a part.
-const DEGREE: usize = 10;
+/// Degree on a part: with a lower one parts would have to be so narrow that they no longer fit into the first cache.
+pub(super) const DEGREE: usize = 7;
 
-/// Parts after which a piece is taken as it is.
-const MOST: usize = 1024;
+/// Parts of a stretch after which it is taken as it is.
+const MOST: usize = 1 << 14;
 
 /// Rounding of a series: no part can be closer to it.
 const ROUNDING: f64 = 1e-14;
 
-/// Several functions, the columns, on the interval [0, 1].
+/// A Chebyshev series of several columns on one of `2^halvings` equal pieces of a stretch.
+#[derive(Clone, Debug)]
+pub(super) struct Piece {
+    pub halvings: u32,
+    /// The coefficients of `T_j` in row `j`.
+    pub series: Vec<Vec<f64>>,
+}
+
+/// Several functions, the columns, on a stretch of the coordinate, as they are kept.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(super) struct Parts {
-    count: usize,
-    pub(super) columns: usize,
+pub(super) struct Stretch {
+    columns: usize,
     /// Part by part, power by power of `u` in [-1, 1], the highest first, column by column.
     coefficients: Vec<f64>,
 }
 
-impl Parts {
-    /// Of the Chebyshev series whose row `j` holds the coefficients of `T_j`, to `accuracy` relative to the larger
-    /// of the function and 1, but for columns that are not `read`.
-    pub fn of_series(series: &[Vec<f64>], accuracy: f64, read: &[bool]) -> Self {
-        let columns = series.first().map_or(0, Vec::len);
-        let of = |count, coefficients| Self {
-            count,
+impl Stretch {
+    /// Of the pieces that make up the stretch, in their order, to `accuracy` relative to the larger of the function and 1; in
+    /// `2^least` parts at least.
+    pub fn of_pieces(pieces: &[Piece], accuracy: f64, least: u32) -> Self {
+        let accuracy = accuracy.max(ROUNDING);
+        let columns = (pieces.first())
+            .and_then(|piece| piece.series.first())
+            .map_or(0, Vec::len);
+        let most = (pieces.iter()).map(|piece| {
+            let mut more = 0;
+            while 1 << (piece.halvings + more) < MOST
+                && !is_matched(&piece.series, 1 << more, accuracy)
+            {
+                more += 1;
+            }
+            piece.halvings + more
+        });
+        let halvings = most.fold(least, u32::max);
+        let coefficients = (pieces.iter())
+            .flat_map(|piece| {
+                let count = 1 << (halvings - piece.halvings);
+                (0..count).flat_map(move |part| powers(&matched(&piece.series, part, count)))
+            })
+            .flatten()
+            .collect();
+        Self {
             columns,
             coefficients,
-        };
-        if columns == 0 || series.len() <= DEGREE + 1 {
-            return of(1, powers(series).concat());
         }
-        let accuracy = accuracy.max(ROUNDING);
-        let mut count = 2;
-        loop {
-            let parts: Vec<_> = (0..count)
-                .map(|part| matched(series, part, count, read))
-                .collect();
-            let worst = parts.iter().map(|(_, tail)| *tail).fold(0.0, f64::max);
-            if worst <= accuracy || count >= MOST {
-                let rows = parts.iter().flat_map(|(series, _)| powers(series));
-                return of(count, rows.flatten().collect());
-            }
-            count *= 2;
-        }
-    }
-
-    /// The first `N` columns at `x` in [0, 1], added to `start`. Columns that there are not stay as they are.
-    ///
-    /// The number is a constant so that the sums stay in registers over all powers.
-    #[inline]
-    pub fn add_to<const N: usize>(&self, x: f64, start: [f64; N]) -> [f64; N] {
-        let place = x * self.count as f64;
-        // Saturates: outside of the interval its first and its last part go on.
-        let part = (place as usize).min(self.count - 1);
-        let u = 2.0 * (place - part as f64) - 1.0;
-        let length = self.coefficients.len() / self.count;
-        let of_part = &self.coefficients[part * length..(part + 1) * length];
-        let mut sums = [0.0; N];
-        for row in of_part.chunks_exact(self.columns.max(1)) {
-            match row.first_chunk::<N>() {
-                Some(row) => {
-                    for (sum, c) in sums.iter_mut().zip(row) {
-                        *sum = *sum * u + c;
-                    }
-                }
-                None => {
-                    for (sum, c) in sums.iter_mut().zip(row) {
-                        *sum = *sum * u + c;
-                    }
-                }
-            }
-        }
-        std::array::from_fn(|column| start[column] + sums[column])
     }
 }
 
-/// The series on one of `count` parts that matches `series` at the Chebyshev points there, and the size of its last
-/// coefficients, relative to the larger of the function and 1.
-fn matched(series: &[Vec<f64>], part: usize, count: usize, read: &[bool]) -> (Vec<Vec<f64>>, f64) {
+/// One power of all columns, two by two.
+type Row<const PAIRS: usize> = [f64x2; PAIRS];
+
+/// Stretches laid out for look-ups, with so many pairs of columns, of which the last one may be zero. Without stretches there is
+/// nothing to be looked up.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Parts<const PAIRS: usize> {
+    /// The parts of all stretches.
+    parts: Vec<[Row<PAIRS>; DEGREE + 1]>,
+    /// The first part of each stretch, and the number of them, if they are not as many as most columns have.
+    finer: Vec<(usize, u32)>,
+}
+
+/// A place in a table whose stretches have as many parts as most columns have.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// Index of the stretch.
+    stretch: usize,
+    /// The place there, from 0 to 1.
+    x: f64,
+    /// The part among all.
+    part: usize,
+    /// The place there, from -1 to 1.
+    u: f64,
+}
+
+impl Place {
+    /// The place `x`, which is below 1, on a stretch whose parts, so many from `first` on, are those of most columns.
+    #[inline(always)]
+    pub fn new(stretch: usize, x: f64, (first, count): (usize, u32)) -> Self {
+        let place = x * f64::from(count);
+        // It saturates, in 32 bits in three instructions: the first part goes on below.
+        let part = place as u32;
+        Self {
+            stretch,
+            x,
+            part: first + part as usize,
+            u: 2.0 * (place - f64::from(part)) - 1.0,
+        }
+    }
+}
+
+impl<const PAIRS: usize> Parts<PAIRS> {
+    /// None if a stretch is not one of so many columns. `usual` are the numbers of parts that most columns have.
+    pub fn new(stretches: &[Stretch], usual: &[u32]) -> Option<Self> {
+        let (mut parts, mut finer) = (Vec::new(), Vec::new());
+        for Stretch {
+            columns,
+            coefficients,
+        } in stretches
+        {
+            let row = |row: &[f64]| {
+                let column = |k: usize| row.get(k).copied().unwrap_or(0.0);
+                std::array::from_fn(|pair| f64x2::from([column(2 * pair), column(2 * pair + 1)]))
+            };
+            let length = columns * (DEGREE + 1);
+            if columns.div_ceil(2) != PAIRS || !coefficients.len().is_multiple_of(length) {
+                return None;
+            }
+            finer.push((parts.len(), (coefficients.len() / length) as u32));
+            parts.extend((coefficients.chunks_exact(length)).map(|part| {
+                std::array::from_fn(|power| row(&part[power * columns..][..*columns]))
+            }));
+        }
+        if finer.iter().map(|(_, count)| count).eq(usual) {
+            finer.clear();
+        }
+        Some(Self { parts, finer })
+    }
+
+    /// The first `N` pairs of columns at a place, if they are tabulated. The number is a constant so that the sums stay in registers
+    /// over all powers.
+    #[inline(always)]
+    pub fn at<const N: usize>(&self, place: &Place) -> Option<[[f64; 2]; N]> {
+        const { assert!(N <= PAIRS, "more columns than there are") };
+        let (part, u) = match &self.finer[..] {
+            [] => (place.part, place.u),
+            finer => {
+                let own = Place::new(0, place.x, *finer.get(place.stretch)?);
+                (own.part, own.u)
+            }
+        };
+        let u = f64x2::splat(u);
+        let [first, others @ ..] = self.parts.get(part)?;
+        let mut sums: [f64x2; N] = std::array::from_fn(|pair| first[pair]);
+        for row in others {
+            for (sum, c) in sums.iter_mut().zip(row) {
+                *sum = *sum * u + *c;
+            }
+        }
+        Some(sums.map(f64x2::to_array))
+    }
+}
+
+/// Whether polynomials on `count` equal parts are close enough to `series`.
+fn is_matched(series: &[Vec<f64>], count: usize, accuracy: f64) -> bool {
+    (0..count).all(|part| {
+        let (values, rows) = fitted(series, part, count);
+        tail(&rows, &values) <= accuracy
+    })
+}
+
+/// The values of `series` at the Chebyshev points of one of `count` parts, and the series through them.
+fn fitted(series: &[Vec<f64>], part: usize, count: usize) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
     let values: Vec<Vec<f64>> = points(DEGREE)
         .map(|u| {
             let x = (part as f64 + 0.5 * (1.0 + u)) / count as f64;
@@ -94,8 +177,12 @@ fn matched(series: &[Vec<f64>], part: usize, count: usize, read: &[bool]) -> (Ve
         })
         .collect();
     let rows = coefficients(&values);
-    let tail = tail(&rows, &values, read);
-    (rows, tail)
+    (values, rows)
+}
+
+/// The series on one of `count` parts that matches `series` at the Chebyshev points there.
+fn matched(series: &[Vec<f64>], part: usize, count: usize) -> Vec<Vec<f64>> {
+    fitted(series, part, count).1
 }
 
 /// The powers of `u`, the highest first, of a Chebyshev series.
@@ -128,43 +215,69 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    fn series_of(function: impl Fn(f64) -> Vec<f64>, degree: usize) -> Vec<Vec<f64>> {
-        let values: Vec<_> = points(degree).map(function).collect();
-        coefficients(&values)
+    fn pieces_of(function: impl Fn(f64) -> Vec<f64>, degree: usize, halvings: u32) -> Vec<Piece> {
+        let count = 1 << halvings;
+        (0..count)
+            .map(|number| {
+                let values: Vec<_> = points(degree)
+                    .map(|u| function((number as f64 + 0.5 * (1.0 + u)) / count as f64))
+                    .collect();
+                Piece {
+                    halvings,
+                    series: coefficients(&values),
+                }
+            })
+            .collect()
     }
 
     #[test]
     fn val_a_polynomial_and_its_columns_are_reproduced_to_rounding() {
-        let polynomials = |u: f64| vec![1.0 - 2.0 * u + u.powi(5), u.powi(3)];
-        let parts = Parts::of_series(&series_of(polynomials, 8), 1e-12, &[]);
-        assert_eq!(parts.count, 1);
-        for u in [-1.0, -0.3, 0.0, 0.77, 1.0] {
-            let x = 0.5 * (1.0 + u);
-            let out = parts.add_to(x, [0.0; 2]);
-            // Fewer or more columns than there are, to the bit.
-            let [one] = parts.add_to(x, [0.0]);
-            let three = parts.add_to(x, [0.0; 3]);
-            let bits = [one, three[0], three[1], three[2]].map(f64::to_bits);
-            assert_eq!(bits, [out[0], out[0], out[1], 0.0].map(f64::to_bits));
-            assert_relative_eq!(out[0], polynomials(u)[0], epsilon = 1e-14);
-            assert_relative_eq!(out[1], polynomials(u)[1], epsilon = 1e-14);
+        let polynomials = |x: f64| vec![1.0 - 2.0 * x + x.powi(5), x.powi(3)];
+        let stretch = Stretch::of_pieces(&pieces_of(polynomials, 8, 0), 1e-12, 0);
+        let of = |usual| Parts::<1>::new(&[stretch.clone(), stretch.clone()], &[usual; 2]).unwrap();
+        for x in [-0.1, 0.0, 0.3, 0.77, 0.999] {
+            // In so many parts as they have, and in other ones.
+            for usual in [1, 8] {
+                let [both] = of(usual)
+                    .at(&Place::new(1, x, (usual as usize, usual)))
+                    .unwrap();
+                assert_relative_eq!(both[0], polynomials(x)[0], epsilon = 1e-14);
+                assert_relative_eq!(both[1], polynomials(x)[1], epsilon = 1e-14);
+            }
         }
+        let nowhere = Place::new(2, 0.5, (2, 1));
+        assert_eq!(
+            [of(1).at::<1>(&nowhere), of(8).at::<1>(&nowhere)],
+            [None; 2]
+        );
+        assert!(
+            Parts::<2>::new(&[stretch], &[1]).is_none(),
+            "too few columns"
+        );
     }
 
     #[test]
     fn val_parts_are_as_close_to_the_series_as_asked_for_everywhere() {
-        // Poles at a distance of 0.5 from the interval: degree 32 has them to 1e-7.
-        let function = |u: f64| vec![1.0 / (u * u + 0.25), (3.0 * u).exp()];
-        let series = series_of(function, 32);
-        for accuracy in [1e-6, 1e-9, 1e-12] {
-            let parts = Parts::of_series(&series, accuracy, &[]);
-            assert!(parts.count > 1);
-            for k in 0..=1000 {
-                let x = f64::from(k) / 1000.0;
-                let expected = interpolant(&series, 2.0 * x - 1.0);
-                for (found, expected) in parts.add_to(x, [0.0; 2]).into_iter().zip(expected) {
-                    let error = (found - expected).abs() / expected.abs().max(1.0);
-                    assert!(error <= 2.0 * accuracy, "{error} at {x}, {accuracy}");
+        // Poles at a distance of 0.25 from the interval: degree 32 has them to 1e-7.
+        let function = |x: f64| vec![1.0 / ((2.0 * x - 1.0).powi(2) + 0.25), (6.0 * x).exp()];
+        for halvings in [0, 2] {
+            let pieces = pieces_of(function, 32, halvings);
+            for accuracy in [1e-6, 1e-9, 1e-12] {
+                let stretch = Stretch::of_pieces(&pieces, accuracy, 1);
+                let parts = Parts::<1>::new(&[stretch], &[1]).unwrap();
+                let count = parts.parts.len() as u32;
+                assert!(parts.parts.len() > pieces.len());
+                for k in 0..1000 {
+                    let x = f64::from(k) / 1000.0;
+                    let place = x * pieces.len() as f64;
+                    let number = (place as usize).min(pieces.len() - 1);
+                    let u = 2.0 * (place - number as f64) - 1.0;
+                    let expected = interpolant(&pieces[number].series, u);
+                    let [both] = parts.at(&Place::new(0, x, (0, count))).unwrap();
+                    for (found, expected) in both.into_iter().zip(expected) {
+                        let error = (found - expected).abs() / expected.abs().max(1.0);
+                        assert!(error <= 2.0 * accuracy, "{error} at {x}, {accuracy}");
+                    }
                 }
             }
         }

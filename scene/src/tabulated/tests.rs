@@ -1,7 +1,8 @@
 use std::sync::Arc;
 
 use super::*;
-use crate::SelfOther;
+use crate::mobility::{Block, Mobility};
+use crate::{GapRange, SelfOther, balance, singular};
 use approx::assert_relative_eq;
 
 /// A made-up model with the true singular parts, a seam at which it jumps, and stated noise.
@@ -34,8 +35,10 @@ impl Hydrodynamics for Made {
         let singular = singular::loads(gap, set, singular::AXIAL_SQUIRMING);
         loads.xa.difference += fade * (singular.xa.difference + eps * gap.ln()) - 1.5 / r;
         loads.ya += SelfOther::new(0.2 / (r * r) + jump, -0.7 / r);
-        for mode in loads.modes_mut() {
-            mode.yt.sum += fade * gap.log_inverse() * 2.0;
+        loads.yb += SelfOther::new(-0.1 / (r * r), 0.3 / (r * r));
+        for (n, mode) in (1u8..).zip(loads.modes_mut()) {
+            mode.yt.sum += f64::from(n) * fade * gap.log_inverse();
+            mode.yf.sum += f64::from(n) * fade;
         }
         Ok(loads)
     }
@@ -72,7 +75,48 @@ fn table(seam: Option<f64>, noise: f64, tolerance: f64) -> Tabulated {
         tolerance,
         smallest_gap: 1e-3,
     };
-    Tabulated::build(Made { seam, noise }, options, &|_| ()).unwrap()
+    Tabulated::build(Arc::new(Made { seam, noise }), options, &|_| ()).unwrap()
+}
+
+fn read(set: LoadSet) -> MobilitySet {
+    MobilitySet {
+        loads: set,
+        torque: true,
+    }
+}
+
+type Answer = Result<(Mobility, SwirlMobilities), SceneError>;
+
+/// What a model answers for spheres that interact.
+fn answer(model: &dyn Hydrodynamics, eps: f64, set: LoadSet) -> Answer {
+    let gap = Gap::new(eps)?;
+    let (mut mobility, mut swirl) = (Mobility::default(), SwirlMobilities::default());
+    let Mobility { pair, modes } = &mut mobility;
+    if set.swirl > 0 {
+        model.interacting_mobility_with_swirl(gap, read(set), (pair, modes), &mut swirl)?;
+    } else {
+        model.interacting_mobility(gap, read(set), (pair, modes))?;
+    }
+    Ok((mobility, swirl))
+}
+
+/// The largest difference of a coefficient from that of a table's model, relative to the larger of it and 1; that of the opening as a
+/// velocity where the two are far apart.
+fn worst(table: &Tabulated, eps: f64, set: LoadSet) -> f64 {
+    let named = |model: &dyn Hydrodynamics| {
+        let (mobility, swirl) = answer(model, eps, set).unwrap();
+        mobility.named(read(set), &swirl)
+    };
+    let (found, truth) = (named(table), named(table.model()));
+    assert_eq!(found.len(), truth.len());
+    (found.into_iter().zip(truth)).fold(0.0, |most, ((name, a), (_, b))| {
+        let scale = if name.starts_with("opening") {
+            eps.max(1.0)
+        } else {
+            1.0
+        };
+        most.max(scale * (a - b).abs() / b.abs().max(1.0))
+    })
 }
 
 #[test]
@@ -81,21 +125,15 @@ fn a_table_agrees_with_its_model_between_its_nodes() {
         let table = table(Some(0.3), 1e-14, tolerance);
         assert_eq!(table.summary().limit, TableLimit::Tolerance(tolerance));
         for i in 0..400 {
-            let gap = Gap::from_ln(-6.9 + 0.047 * f64::from(i));
-            let expected = table.model().loads(gap, LoadSet::all(2)).unwrap();
-            let found = table.loads(gap, LoadSet::all(2)).unwrap();
-            for (e, f) in expected.columns().zip(found.columns()) {
-                assert!(
-                    (e - f).abs() <= 3.0 * tolerance * e.abs().max(1.0),
-                    "{gap:?}"
-                );
-            }
+            let eps = (-6.9 + 0.047 * f64::from(i)).exp();
+            let error = worst(&table, eps, LoadSet::all(2));
+            assert!(error <= 3.0 * tolerance, "{eps}: {error}");
         }
     }
 }
 
 #[test]
-fn a_table_with_swirl_agrees_with_its_model_and_leaves_the_other_loads_as_they_are() {
+fn a_table_with_swirl_agrees_with_its_model_and_leaves_the_other_coefficients_as_they_are() {
     let model = Made {
         seam: None,
         noise: 1e-14,
@@ -106,64 +144,49 @@ fn a_table_with_swirl_agrees_with_its_model_and_leaves_the_other_loads_as_they_a
             tolerance: 1e-9,
             smallest_gap: 1e-3,
         };
-        Tabulated::build(model.clone(), options, &|_| ()).unwrap()
+        Tabulated::build(Arc::new(model.clone()), options, &|_| ()).unwrap()
     };
     let (plain, two, four) = (tabulated(0), tabulated(2), tabulated(4));
     for i in 0..100 {
-        let gap = Gap::from_ln(-6.9 + 0.19 * f64::from(i));
+        let eps = (-6.9 + 0.19 * f64::from(i)).exp();
         let set = LoadSet::all(2).with_swirl(2);
-        let (pair, swirl) = two.loads_with_swirl(gap, set).unwrap();
-        let (_, expected) = model.loads_with_swirl(gap, set).unwrap();
-        for (f, e) in swirl.columns().zip(expected.columns()) {
-            assert!((e - f).abs() <= 3e-9 * e.abs().max(1.0), "{gap:?}");
-        }
-        let (_, more) = four
-            .loads_with_swirl(gap, LoadSet::all(2).with_swirl(4))
-            .unwrap();
-        assert_eq!(
-            more.modes()[..2],
-            four.loads_with_swirl(gap, set).unwrap().1.modes()[..]
-        );
-        let alone = plain.loads(gap, LoadSet::all(2)).unwrap();
-        for (with, without) in pair.columns().zip(alone.columns()) {
-            assert!(
-                (with - without).abs() <= 3e-9 * without.abs().max(1.0),
-                "{gap:?}"
-            );
-        }
+        let error = worst(&two, eps, set);
+        assert!(error <= 3e-9, "{eps}: {error}");
+        let [alone, both] = [answer(&plain, eps, LoadSet::all(2)), answer(&two, eps, set)];
+        let [(alone, _), (both, swirl)] = [alone.unwrap(), both.unwrap()];
+        assert_eq!(alone, both);
+        assert_eq!(answer(&four, eps, set).unwrap(), (both, swirl));
     }
-    assert!(
-        plain
-            .loads_with_swirl(Gap::from_ln(0.0), LoadSet::all(2).with_swirl(1))
-            .is_err()
-    );
+    assert!(answer(&plain, 1.0, LoadSet::all(2).with_swirl(1)).is_err());
 }
 
 #[test]
 fn a_table_reaches_to_infinity() {
     let table = table(None, 1e-14, 1e-10);
-    let far = table
-        .loads(Gap::new(1e15).unwrap(), LoadSet::all(2))
-        .unwrap();
-    for (found, isolated) in far
-        .columns()
-        .zip(PairLoads::isolated(LoadSet::all(2)).columns())
-    {
-        assert_relative_eq!(found, isolated, epsilon = 1e-9);
+    let set = LoadSet::all(2);
+    let gap = Gap::new(1e15).unwrap();
+    let (far, _) = answer(&table, gap.eps(), set).unwrap();
+    let lone = balance::solve(gap, &PairLoads::isolated(set), read(set));
+    let none = SwirlMobilities::default();
+    let both = far
+        .named(read(set), &none)
+        .into_iter()
+        .zip(lone.named(read(set), &none));
+    for ((name, found), (_, lone)) in both {
+        assert!((found - lone).abs() < 1e-9, "{name}: {found}, {lone}");
     }
 }
 
 #[test]
 fn a_table_jumps_at_a_seam_as_its_model_does() {
     let table = table(Some(0.3), 1e-14, 1e-9);
-    let at = |eps| {
-        table
-            .loads(Gap::new(eps).unwrap(), LoadSet::all(2))
-            .unwrap()
-            .ya
-            .own()
+    let at = |model: &dyn Hydrodynamics, eps| {
+        let (mobility, _) = answer(model, eps, LoadSet::all(2)).unwrap();
+        mobility.modes[0].across.mean_transverse
     };
-    assert_relative_eq!(at(0.3 + 1e-9) - at(0.3 - 1e-9), 1e-3, epsilon = 1e-8);
+    let jump = |model| at(model, 0.3 + 1e-9) - at(model, 0.3 - 1e-9);
+    assert!(jump(table.model()).abs() > 1e-5);
+    assert_relative_eq!(jump(&table), jump(table.model()), epsilon = 1e-8);
 }
 
 #[test]
@@ -177,8 +200,9 @@ fn a_table_stops_at_the_noise_of_its_model_and_says_so() {
 #[test]
 fn gaps_under_the_range_are_refused() {
     let table = table(None, 1e-14, 1e-6);
-    let refused = table.loads(Gap::new(9.9e-4).unwrap(), LoadSet::all(2));
+    let refused = answer(&table, 9.9e-4, LoadSet::all(2));
     assert!(matches!(refused, Err(SceneError::GapOutsideRange { .. })));
+    assert!(answer(&table, 1e-3, LoadSet::all(2)).is_ok());
 }
 
 #[test]
@@ -192,37 +216,64 @@ fn below_a_table_the_model_answers() {
         seam: None,
         noise: 1e-14,
     };
-    let table = Tabulated::build(model, options, &|_| ()).unwrap();
-    let gap = Gap::new(2e-3).unwrap();
-    assert_eq!(
-        table.loads(gap, LoadSet::all(2)),
-        table.model().loads(gap, LoadSet::all(2))
-    );
+    let table = Tabulated::build(Arc::new(model), options, &|_| ()).unwrap();
+    let of = |model| answer(model, 2e-3, LoadSet::all(2));
+    assert_eq!(of(&table), of(table.model()));
     assert_eq!(table.range(), table.model().range());
+    let gap = Gap::new(0.1).unwrap();
+    let loads = |model: &dyn Hydrodynamics| model.loads(gap, LoadSet::all(5));
+    assert_eq!(
+        loads(&table),
+        loads(table.model()),
+        "loads are the model's own"
+    );
 }
 
 #[test]
 fn fewer_modes_than_tabulated_are_read_and_more_refused() {
     let table = table(None, 1e-14, 1e-6);
-    let gap = Gap::new(0.1).unwrap();
-    let one = table.loads(gap, LoadSet::all(1)).unwrap();
+    let (gap, none) = (Gap::new(0.1).unwrap(), SwirlMobilities::default());
+    let (both, _) = answer(&table, 0.1, LoadSet::all(2)).unwrap();
+    let (mut pair, mut modes) = (PairMobility::default(), [ModeMobility::default()]);
+    let one = read(LoadSet::all(1));
+    table
+        .interacting_mobility(gap, one, (&mut pair, &mut modes))
+        .unwrap();
+    assert_eq!((pair, modes[0]), (both.pair, both.modes[0]));
     assert_eq!(
-        one.modes(),
-        &table.loads(gap, LoadSet::all(2)).unwrap().modes()[..1]
+        table.mobility(gap, one).unwrap().named(one, &none),
+        both.named(one, &none)
     );
-    assert!(matches!(
-        table.loads(gap, LoadSet::all(3)),
-        Err(SceneError::LoadsNotHeld { .. })
-    ));
+    let three = answer(&table, 0.1, LoadSet::all(3));
+    assert!(matches!(three, Err(SceneError::LoadsNotHeld { .. })));
 }
 
 #[test]
-fn a_table_of_part_of_the_loads_holds_that_part_alone() {
+fn without_torque_the_same_is_read_but_for_its_coefficients() {
+    let table = table(None, 1e-14, 1e-6);
+    for eps in [0.02, 5.0] {
+        let gap = Gap::new(eps).unwrap();
+        let [with, without] = [true, false].map(|torque| {
+            let loads = LoadSet::all(2);
+            table.mobility(gap, MobilitySet { loads, torque }).unwrap()
+        });
+        assert_eq!(with.modes, without.modes);
+        let [repulsion, same] = [&with, &without].map(|of| of.pair.repulsion.to_bits());
+        assert_eq!(repulsion, same);
+        assert!(with.pair.torque != without.pair.torque);
+    }
+}
+
+#[test]
+fn a_table_of_part_of_the_balance_holds_that_part_alone() {
     let whole = table(Some(0.3), 1e-5, 1e-5);
     for set in [
         LoadSet::axial(2),
+        LoadSet::axial(1).mirror_symmetric(),
         LoadSet::axial_and_twist(1),
         LoadSet::planar(2),
+        LoadSet::planar(2).point_symmetric(),
+        LoadSet::planar(2).mirror_symmetric(),
         LoadSet::all(3),
     ] {
         let options = TableOptions {
@@ -231,26 +282,24 @@ fn a_table_of_part_of_the_loads_holds_that_part_alone() {
             smallest_gap: 1e-3,
         };
         let part = Tabulated::build(Arc::clone(&whole.model), options, &|_| ()).unwrap();
-        for piece in part.table.near.iter().chain(&part.table.far) {
-            assert_eq!(piece.pair.columns, set.column_count());
-            assert_eq!(piece.swirl.columns, 0);
-        }
-        for ln_gap in [-5.0, -1.0, 2.0] {
-            let gap = Gap::from_ln(ln_gap);
-            let found = part.loads(gap, set).unwrap();
-            assert_eq!(found.set(), set);
-            let truth = whole.model().loads(gap, set).unwrap();
-            for ((name, a), (_, b)) in found.named().into_iter().zip(truth.named()) {
-                assert!(
-                    (a - b).abs() < 3e-5 * b.abs().max(1.0),
-                    "{name} at {ln_gap}"
+        for eps in [7e-3, 0.4, 7.0] {
+            assert!(worst(&part, eps, set) < 3e-5);
+            for block in Block::ALL {
+                let held = answer(&part, eps, block.loads(2)).is_ok();
+                assert_eq!(held, block.is_in(set), "{block:?} of {set}");
+            }
+            if whole.set.holds(set) {
+                let [found, same] = [&part, &whole].map(|table| {
+                    let (mobility, swirl) = answer(table, eps, set).unwrap();
+                    mobility.named(read(set), &swirl)
+                });
+                assert_eq!(
+                    found, same,
+                    "the same to the last bit whatever else is held"
                 );
             }
-            if whole.table.set.holds(set) {
-                assert_eq!(whole.loads(gap, set).unwrap().set(), set);
-            }
         }
-        assert!(part.loads(Gap::from_ln(0.0), LoadSet::all(4)).is_err());
+        assert!(answer(&part, 1.0, LoadSet::all(4)).is_err());
     }
 }
 
@@ -302,7 +351,7 @@ pub(super) fn table_that_says(
         smallest_gap: 1e-3,
     };
     let made = Made { seam, noise: 1e-13 };
-    Tabulated::build(Says { made, cutoff }, options, progress).unwrap()
+    Tabulated::build(Arc::new(Says { made, cutoff }), options, progress).unwrap()
 }
 
 #[test]
@@ -313,14 +362,13 @@ fn a_table_keeps_the_cut_of_its_model() {
     let set = LoadSet::all(2);
     for eps in [2e-3, 0.3, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.5, 2.5, 40.0] {
         let gap = Gap::new(eps).unwrap();
-        let [found, truth] = [table.loads(gap, set), table.model().loads(gap, set)];
-        let (_, error) = found.unwrap().worst_error(&truth.unwrap());
+        if eps > 1.0 {
+            let lone = balance::solve(gap, &PairLoads::isolated(set), read(set));
+            assert_eq!(table.mobility(gap, read(set)), Ok(lone));
+        }
+        // A trial step past the cut has the mobility of spheres that interact.
+        let error = worst(&table, eps, set);
         assert!(error < 2e-8, "{eps}: {error}");
-        // A trial step past the cut has the loads of spheres that interact.
-        let found = table.interacting_loads(gap, set).unwrap();
-        let (_, error) = found.worst_error(&table.model().interacting_loads(gap, set).unwrap());
-        assert!(error < 2e-8, "{eps}: {error}");
-        assert_eq!(table.error_estimate(gap, set), Ok(None));
     }
 }
 

@@ -194,9 +194,9 @@ fn cost_in_words(model: &Model, plan: &Plan) -> String {
     let stages = "An accepted step takes 12 right-hand sides";
     match model.table() {
         Some(table) => format!(
-            "{stages}, which read {} columns of a table. Building the table took {} solves of the model; its \
-             interpolation error is {}. The table is kept for other scenes that read the same loads.",
-            plan.load_set().column_count(),
+            "{stages}, which read {} mobilities from a table. Building the table took {} solves, each of a part of the \
+             balance; its interpolation error is {}. It is kept for other scenes.",
+            plan.mobility_set().count(),
             table.evaluations,
             size(table.interpolation_error)
         ),

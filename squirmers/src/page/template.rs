@@ -72,7 +72,7 @@ pub fn render(page: &Page) -> String {
 
 const COST_PROSE: &str = "Times are wall-clock times in seconds. Set-up is the time to build a method's table; \
     a run is one encounter with a finished table. Errors are relative errors, estimated by each \
-    method: of the interpolation in the table, and of the loads at gaps near contact.";
+    method: of the interpolation in the table (of velocities by unit slip), and of the loads at gaps near contact.";
 
 /// The finding of each section, with a link to the section.
 fn findings(sections: &[&Section]) -> Markup {

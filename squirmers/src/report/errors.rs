@@ -2,8 +2,6 @@
 
 use serde::Serialize;
 
-use scene::Hydrodynamics;
-
 use super::{LOADS, findings, words};
 use crate::error::CommandError;
 use crate::figures;
@@ -39,9 +37,7 @@ pub(super) fn section(
     judged.sort_by_key(|model| model.method());
 
     let errors = load_errors(&judged, exact, LOADS)?;
-    let slopes = findings::slopes(
-        (judged.iter()).map(|model| (model.method(), *model as &dyn Hydrodynamics)),
-    )?;
+    let slopes = findings::slopes((judged.iter()).map(|model| (model.method(), &***model)))?;
     let errors_csv = csv_text(&errors)?;
     out.write("load-errors.csv", &errors_csv)?;
     let svg = figures::load_errors(&errors)?;

@@ -14,7 +14,7 @@ mod words;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use scene::{Gap, Hydrodynamics, LoadSet, TableLimit};
+use scene::{Gap, LoadSet, TableLimit};
 
 use crate::commands::encounters::cases;
 use crate::commands::maps::METHODS;

@@ -176,7 +176,7 @@ fn a_closed_form_has_no_error_estimate() {
 }
 
 #[test]
-fn each_load_by_boundary_elements_has_an_error_estimate_of_its_own_and_few_gaps_need_no_table() {
+fn each_load_by_boundary_elements_has_an_error_estimate_of_its_own_and_needs_no_table() {
     let folder = tempfile::tempdir().unwrap();
     let cache = folder.path().join("cache");
     let arguments = [

@@ -84,7 +84,7 @@ pub fn bound_rows(models: &[&Model], betas: &[f64]) -> Result<Vec<BoundRow>, Com
 }
 
 fn states(model: &Model, squirmer: &Squirmer) -> Result<Vec<BoundState>, SceneError> {
-    bound_states(model, squirmer, Repulsion::PAPER)
+    bound_states(&**model, squirmer, Repulsion::PAPER)
 }
 
 columns! {

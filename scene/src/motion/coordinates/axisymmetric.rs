@@ -2,12 +2,12 @@
 
 use nalgebra::Vector3;
 
-use crate::balance::{Heading, PairVelocity};
 use crate::frame::{Configuration, Rates};
+use crate::mobility::{Heading, PairVelocity};
 use crate::motion::chart::Chart;
 use crate::motion::equations::Dynamics;
 use crate::motion::steady::Relative;
-use crate::{Gap, Gravity, Squirmer};
+use crate::{Gap, Gravity, LoadSet, Squirmer};
 
 /// A pair whose orientations lie along the line of centres, which is fixed: position of the midpoint
 /// along it and `ln eps`.
@@ -76,7 +76,15 @@ impl Chart<2> for Axisymmetric {
 impl Dynamics<2> for Axisymmetric {
     type Across = f64;
 
-    #[inline]
+    #[inline(always)]
+    fn read(set: LoadSet) -> LoadSet {
+        LoadSet {
+            axial: set.axial,
+            ..LoadSet::axial(set.modes)
+        }
+    }
+
+    #[inline(always)]
     fn headings(&self, _: &[f64; 2]) -> [Heading<f64>; 2] {
         self.cosines.map(|cosine| Heading {
             cosine,
@@ -89,7 +97,7 @@ impl Dynamics<2> for Axisymmetric {
         [0.0; 2]
     }
 
-    #[inline]
+    #[inline(always)]
     fn derivative(&self, _: &[f64; 2], v: &PairVelocity<f64>) -> [f64; 2] {
         [v.mean_axial, v.opening]
     }

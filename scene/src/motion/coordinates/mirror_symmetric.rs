@@ -6,12 +6,15 @@ use std::f64::consts::PI;
 
 use nalgebra::Vector3;
 
-use crate::balance::{External, Heading, Image, PairVelocity, symmetric_velocity};
+use crate::elementary::sin_cos;
 use crate::frame::{Configuration, Rates, across, direction, unwind};
+use crate::mobility::{
+    External, Heading, Image, ModeMobility, PairMobility, PairVelocity, symmetric_velocity,
+};
 use crate::motion::chart::Chart;
 use crate::motion::equations::Dynamics;
 use crate::motion::steady::Relative;
-use crate::{Gap, Gravity, PairLoads, Squirmer};
+use crate::{Gap, Gravity, LoadSet, Squirmer};
 
 /// A pair whose members are images of each other in a mirror, which is fixed: position of the midpoint
 /// along the mirror, `ln eps`, and the angle of the first orientation from the direction to the other
@@ -94,9 +97,14 @@ impl Chart<3> for MirrorSymmetric {
 impl Dynamics<3> for MirrorSymmetric {
     type Across = f64;
 
-    #[inline]
+    #[inline(always)]
+    fn read(set: LoadSet) -> LoadSet {
+        LoadSet::planar(set.modes).mirror_symmetric()
+    }
+
+    #[inline(always)]
     fn headings(&self, y: &[f64; 3]) -> [Heading<f64>; 2] {
-        let (transverse, cosine) = y[2].sin_cos();
+        let (transverse, cosine) = sin_cos(y[2]);
         [Heading { cosine, transverse }; 2]
     }
 
@@ -109,22 +117,21 @@ impl Dynamics<3> for MirrorSymmetric {
     ) -> [f64; 2] {
         // Gravity lies in the mirror: `-(V_s G_bh/pi) p x g` of the first, its opposite for the second.
         let down = gravity.direction().dot(&across(self.line));
-        let torque = -squirmers[0].gravity_torque() * (y[2].cos() * down);
+        let torque = -squirmers[0].gravity_torque() * (sin_cos(y[2]).1 * down);
         [torque, -torque]
     }
 
     #[inline(always)]
     fn velocity(
-        gap: Gap,
-        loads: &PairLoads,
+        mobility: (&PairMobility, &[ModeMobility]),
         [squirmer, _]: &[Squirmer; 2],
         [heading, _]: &[Heading<f64>; 2],
         external: &External<f64>,
     ) -> PairVelocity<f64> {
-        symmetric_velocity(Image::Mirror, gap, loads, squirmer, heading, external)
+        symmetric_velocity(Image::Mirror, mobility, squirmer, heading, external)
     }
 
-    #[inline]
+    #[inline(always)]
     fn derivative(&self, _: &[f64; 3], v: &PairVelocity<f64>) -> [f64; 3] {
         [v.mean_transverse, v.opening, v.spin[0]]
     }

@@ -4,12 +4,13 @@ use std::f64::consts::PI;
 
 use nalgebra::Vector3;
 
-use crate::balance::{Heading, PairVelocity};
+use crate::elementary::{sin_cos, sines_cosines};
 use crate::frame::{Configuration, Rates, direction};
+use crate::mobility::{Heading, PairVelocity};
 use crate::motion::chart::Chart;
 use crate::motion::equations::Dynamics;
 use crate::motion::steady::Relative;
-use crate::{Gap, Gravity, Squirmer};
+use crate::{Gap, Gravity, LoadSet, Squirmer};
 
 /// Motion in a plane of constant z:
 /// midpoint x, y; angle of the line of centres; `ln eps`; and each orientation's angle measured
@@ -90,9 +91,14 @@ impl Chart<6> for Planar {
 impl Dynamics<6> for Planar {
     type Across = f64;
 
-    #[inline]
+    #[inline(always)]
+    fn read(set: LoadSet) -> LoadSet {
+        LoadSet::planar(set.modes)
+    }
+
+    #[inline(always)]
     fn headings(&self, y: &[f64; 6]) -> [Heading<f64>; 2] {
-        let [(s1, c1), (s2, c2)] = [y[4].sin_cos(), y[5].sin_cos()];
+        let [(s1, c1), (s2, c2)] = sines_cosines([y[4], y[5]]);
         // The second squirmer's own transverse axis is opposed to the common one.
         [
             Heading {
@@ -115,7 +121,7 @@ impl Dynamics<6> for Planar {
     ) -> [f64; 2] {
         let g = gravity.direction();
         let torque = |angle: f64, squirmer: &Squirmer| {
-            let (sin, cos) = angle.sin_cos();
+            let (sin, cos) = sin_cos(angle);
             -squirmer.gravity_torque() * (cos * g.y - sin * g.x)
         };
         // Half a turn is a sign: added to the angle, it would round off the pair's symmetry.
@@ -127,7 +133,7 @@ impl Dynamics<6> for Planar {
 
     #[inline]
     fn derivative(&self, y: &[f64; 6], v: &PairVelocity<f64>) -> [f64; 6] {
-        let (sin, cos) = y[THETA].sin_cos();
+        let (sin, cos) = sin_cos(y[THETA]);
         [
             v.mean_axial * cos - v.mean_transverse * sin,
             v.mean_axial * sin + v.mean_transverse * cos,

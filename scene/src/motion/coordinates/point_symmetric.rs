@@ -6,12 +6,15 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::Vector3;
 
-use crate::balance::{External, Heading, Image, PairVelocity, symmetric_velocity};
+use crate::elementary::sin_cos;
 use crate::frame::{Configuration, Rates, across, direction};
+use crate::mobility::{
+    External, Heading, Image, ModeMobility, PairMobility, PairVelocity, symmetric_velocity,
+};
 use crate::motion::chart::Chart;
 use crate::motion::equations::Dynamics;
 use crate::motion::steady::Relative;
-use crate::{Gap, Gravity, PairLoads, Squirmer};
+use crate::{Gap, Gravity, LoadSet, Squirmer};
 
 /// A pair that is its own image under the rotation by pi about its midpoint, which is fixed: angle of the
 /// line of centres, `ln eps`, and the angle of either orientation from the direction to the other
@@ -90,9 +93,14 @@ impl Chart<3> for PointSymmetric {
 impl Dynamics<3> for PointSymmetric {
     type Across = f64;
 
-    #[inline]
+    #[inline(always)]
+    fn read(set: LoadSet) -> LoadSet {
+        LoadSet::planar(set.modes).point_symmetric()
+    }
+
+    #[inline(always)]
     fn headings(&self, y: &[f64; 3]) -> [Heading<f64>; 2] {
-        let (sin, cosine) = y[2].sin_cos();
+        let (sin, cosine) = sin_cos(y[2]);
         [sin, -sin].map(|transverse| Heading { cosine, transverse })
     }
 
@@ -103,16 +111,15 @@ impl Dynamics<3> for PointSymmetric {
 
     #[inline(always)]
     fn velocity(
-        gap: Gap,
-        loads: &PairLoads,
+        mobility: (&PairMobility, &[ModeMobility]),
         [squirmer, _]: &[Squirmer; 2],
         [heading, _]: &[Heading<f64>; 2],
         external: &External<f64>,
     ) -> PairVelocity<f64> {
-        symmetric_velocity(Image::Point, gap, loads, squirmer, heading, external)
+        symmetric_velocity(Image::Point, mobility, squirmer, heading, external)
     }
 
-    #[inline]
+    #[inline(always)]
     fn derivative(&self, _: &[f64; 3], v: &PairVelocity<f64>) -> [f64; 3] {
         [v.turning, v.opening, v.spin[0] - v.turning]
     }

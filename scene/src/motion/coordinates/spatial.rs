@@ -2,13 +2,13 @@
 
 use nalgebra::Vector3;
 
-use crate::balance::{Heading, PairVelocity, axial_spins};
 use crate::frame::{Configuration, Rates, unwind};
+use crate::mobility::{Heading, PairMobility, PairVelocity};
 use crate::motion::chart::Chart;
 use crate::motion::equations::{self, Dynamics, Effect, Instant};
 use crate::motion::steady::Relative;
 use crate::motion::swirling::{self, Swirl};
-use crate::{Gap, Gravity, Hydrodynamics, PairLoads, SceneError, SelfOther, Squirmer};
+use crate::{Gap, Gravity, Hydrodynamics, LoadSet, SceneError, Squirmer};
 
 /// Motion in three dimensions: midpoint, line of centres, `ln eps`, both orientations.
 ///
@@ -102,7 +102,15 @@ impl<W: Effect<Swirl>> Chart<13> for Spatial<W> {
 
 impl<W: Effect<Swirl>> Dynamics<13> for Spatial<W> {
     type Across = Vector3<f64>;
-    const SINES: bool = false;
+
+    #[inline(always)]
+    fn read(set: LoadSet) -> LoadSet {
+        LoadSet {
+            twist: set.twist,
+            swirl: set.swirl,
+            ..LoadSet::planar(set.modes)
+        }
+    }
 
     #[inline]
     fn headings(&self, y: &[f64; 13]) -> [Heading<Vector3<f64>>; 2] {
@@ -136,7 +144,7 @@ impl<W: Effect<Swirl>> Dynamics<13> for Spatial<W> {
     }
 
     #[inline(always)]
-    fn motion<H, G>(
+    fn motion<const M: usize, H, G>(
         &self,
         y: &[f64; 13],
         headings: &[Heading<Vector3<f64>>; 2],
@@ -148,7 +156,7 @@ impl<W: Effect<Swirl>> Dynamics<13> for Spatial<W> {
     {
         match self.swirl.get() {
             Some(Swirl) => swirling::derivative(self, y, headings, at),
-            None => equations::derivative(self, y, headings, at),
+            None => equations::derivative::<M, _, _, _, 13>(self, y, headings, at),
         }
     }
 
@@ -172,14 +180,13 @@ impl<W: Effect<Swirl>> Dynamics<13> for Spatial<W> {
         &self,
         y: &[f64; 13],
         dy: &mut [f64; 13],
-        loads: &PairLoads,
+        mobility: &PairMobility,
         gravity: Gravity,
         squirmers: &[Squirmer; 2],
     ) {
         let d = vector(y, LINE).normalize();
         let [t1, t2] = spatial_torques(y, gravity, squirmers).map(|torque| torque.dot(&d));
-        let torque = SelfOther::new(t1, t2);
-        spin_about(&d, y, dy, axial_spins(loads, torque));
+        spin_about(&d, y, dy, mobility.twist.spins(t1 + t2, t1 - t2));
     }
 }
 

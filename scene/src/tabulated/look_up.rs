@@ -1,0 +1,189 @@
+//! Tabulated columns as they are read.
+
+use super::build::Tabulation;
+use super::columns::{BASE_MODES, Group};
+use super::parts::{Parts, Place};
+use crate::mobility::{
+    Across, Block, MobilitySet, ModeMobility, PairMobility, SwirlMobility, Twist,
+};
+use crate::{Gap, LoadSet};
+
+/// What is tabulated, in pairs of columns. What is not has no stretches.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Columns {
+    /// Opening by the modes 1 and 2 and by repulsion, and a zero.
+    opening: Parts<2>,
+    /// Mean axial velocity by the modes 1 and 2.
+    mean_axial: Parts<1>,
+    /// Turning and mean spin by the modes 1 and 2 and by torque.
+    turning: Parts<3>,
+    /// Mean transverse velocity and counter spin by the modes 1 and 2 and by torque.
+    mean_transverse: Parts<3>,
+    /// Spins about `d` by torque.
+    twist: Parts<1>,
+    /// All by each squirming mode from 3 on.
+    modes: Vec<Parts<3>>,
+    /// All by each swirl mode.
+    swirl: Vec<Parts<3>>,
+}
+
+impl Columns {
+    /// Lays out a tabulation for look-ups; one that does not fit is left out. `usual` are the numbers of parts that most columns have.
+    pub fn take(&mut self, group: Group, tabulation: &Tabulation, usual: &[u32]) {
+        fn laid_out<const PAIRS: usize>(of: &Tabulation, usual: &[u32]) -> Parts<PAIRS> {
+            Parts::new(&of.stretches, usual).unwrap_or_default()
+        }
+        let put = |all: &mut Vec<Parts<3>>, at: usize| {
+            all.resize(all.len().max(at + 1), Parts::default());
+            all[at] = laid_out(tabulation, usual);
+        };
+        match group {
+            Group::Block(Block::Opening) => self.opening = laid_out(tabulation, usual),
+            Group::Block(Block::MeanAxial) => self.mean_axial = laid_out(tabulation, usual),
+            Group::Block(Block::Turning) => self.turning = laid_out(tabulation, usual),
+            Group::Block(Block::MeanTransverse) => {
+                self.mean_transverse = laid_out(tabulation, usual)
+            }
+            Group::Block(Block::Twist) => self.twist = laid_out(tabulation, usual),
+            Group::Mode(n) => put(&mut self.modes, n - BASE_MODES - 1),
+            Group::Swirl(n) => put(&mut self.swirl, n - 1),
+        }
+    }
+
+    /// Fills in the coefficients of `set`; none if one is not tabulated.
+    #[inline(always)]
+    pub fn read(
+        &self,
+        place: &Place,
+        set: MobilitySet,
+        pair: &mut PairMobility,
+        modes: &mut [ModeMobility],
+    ) -> Option<()> {
+        let LoadSet {
+            axial,
+            transverse,
+            twist,
+            ..
+        } = set.loads;
+        let [one, two, ..] = modes else {
+            return self.read_fewer(place, set, pair, modes);
+        };
+        if axial.difference {
+            let parts = &self.opening;
+            [[one.opening, two.opening], [pair.repulsion, _]] = parts.at(place)?;
+        }
+        if axial.sum {
+            let parts = &self.mean_axial;
+            [[one.mean_axial, two.mean_axial]] = parts.at(place)?;
+        }
+        if transverse.difference {
+            let parts = &self.turning;
+            let (a, b, torque) = (&mut one.across, &mut two.across, &mut pair.torque);
+            if set.torque {
+                [
+                    [a.turning, a.mean_spin],
+                    [b.turning, b.mean_spin],
+                    [torque.turning, torque.mean_spin],
+                ] = parts.at(place)?;
+            } else {
+                [[a.turning, a.mean_spin], [b.turning, b.mean_spin]] = parts.at(place)?;
+            }
+        }
+        if transverse.sum {
+            let parts = &self.mean_transverse;
+            let (a, b, torque) = (&mut one.across, &mut two.across, &mut pair.torque);
+            if set.torque {
+                [
+                    [a.mean_transverse, a.counter_spin],
+                    [b.mean_transverse, b.counter_spin],
+                    [torque.mean_transverse, torque.counter_spin],
+                ] = parts.at(place)?;
+            } else {
+                [
+                    [a.mean_transverse, a.counter_spin],
+                    [b.mean_transverse, b.counter_spin],
+                ] = parts.at(place)?;
+            }
+        }
+        if twist {
+            let parts = &self.twist;
+            let twist = &mut pair.twist;
+            [[twist.mean, twist.half_difference]] = parts.at(place)?;
+        }
+        let higher = set.loads.modes.saturating_sub(BASE_MODES);
+        for (n, of_mode) in modes.iter_mut().skip(BASE_MODES).enumerate().take(higher) {
+            let parts = self.modes.get(n)?;
+            let [
+                [opening, mean_axial],
+                [mean_transverse, counter_spin],
+                [turning, mean_spin],
+            ] = parts.at(place)?;
+            *of_mode = ModeMobility {
+                opening,
+                mean_axial,
+                across: Across {
+                    mean_transverse,
+                    counter_spin,
+                    turning,
+                    mean_spin,
+                },
+            };
+        }
+        Some(())
+    }
+
+    /// The same where there is no room for the second mode.
+    #[cold]
+    fn read_fewer(
+        &self,
+        place: &Place,
+        set: MobilitySet,
+        pair: &mut PairMobility,
+        modes: &mut [ModeMobility],
+    ) -> Option<()> {
+        let mut both = [ModeMobility::default(); BASE_MODES];
+        self.read(place, set, pair, &mut both)?;
+        modes.copy_from_slice(&both[..modes.len()]);
+        Some(())
+    }
+
+    /// The coefficients by a swirl mode, counted from 0, if it is tabulated.
+    pub fn swirl(&self, place: &Place, n: usize) -> Option<SwirlMobility> {
+        let parts = self.swirl.get(n)?;
+        let [
+            [mean, half_difference],
+            [mean_transverse, counter_spin],
+            [turning, mean_spin],
+        ] = parts.at(place)?;
+        Some(SwirlMobility {
+            twist: Twist {
+                mean,
+                half_difference,
+            },
+            across: Across {
+                mean_transverse,
+                counter_spin,
+                turning,
+                mean_spin,
+            },
+        })
+    }
+}
+
+/// From what is tabulated far apart to the coefficients: by [`FarScale`](crate::mobility::FarScale).
+pub(super) fn shrink(gap: Gap, pair: &mut PairMobility, modes: &mut [ModeMobility]) {
+    let (by_gap, by_distance) = (1.0 / gap.eps(), 1.0 / gap.distance());
+    pair.repulsion *= by_gap;
+    pair.torque.turning *= by_distance;
+    for mode in modes {
+        mode.opening *= by_gap;
+        let across = &mut mode.across;
+        for far in [
+            &mut across.turning,
+            &mut across.mean_spin,
+            &mut across.counter_spin,
+        ] {
+            *far *= by_distance;
+        }
+    }
+}
