@@ -63,7 +63,11 @@ fn readme_times_are_those_that_were_measured() {
         about(measured("SciPy's solver over ours", "lt, dx 1"))
     ));
     readme.says(&format!(
-        "The tables take {} s on two cores",
-        about(measured("building the table", "bem-3-table"))
+        "heyoka, which moves eight pairs at once in the lanes of a processor, is {:.0} times as fast",
+        measured("ours over heyoka's, every lane busy", "lt, map at beta 0")
+    ));
+    readme.says(&format!(
+        "The tables take {:.0} s on two cores",
+        measured("building the table", "bem-3-table")
     ));
 }
