@@ -27,14 +27,19 @@ pub enum Block {
     Twist,
 }
 
-/// What a coefficient times this stays bounded as the two part. For spins by slip, which fall faster, it makes the turn by an interpolation
-/// error add up to a limit.
+/// What a coefficient times this stays bounded as the two part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum FarScale {
     One,
     Gap,
     Distance,
+    /// The distance too, for spins by slip, which fall faster: the turn by an interpolation error then adds up to a limit. Where they have
+    /// faded into rounding it grows no more, or it would be rounding that is tabulated.
+    Faded,
 }
+
+/// Distance from which on spins by slip, which fall as its third power, are rounding.
+const FADED: f64 = 1e5;
 
 /// One kind of coefficient, as the list of them has it.
 #[derive(Clone, Copy)]
@@ -56,7 +61,7 @@ pub struct Coefficient {
 #[rustfmt::skip]
 pub const COEFFICIENTS: [Coefficient; 19] = {
     use Block::{MeanAxial, MeanTransverse, Opening, Turning, Twist};
-    use FarScale::{Distance, Gap, One};
+    use FarScale::{Distance, Faded, Gap, One};
     const fn row(
         (effect, cause, unit): (&'static str, &'static str, &'static str),
         block: Block,
@@ -78,9 +83,9 @@ pub const COEFFICIENTS: [Coefficient; 19] = {
         row((OPENING, "q1 + q2", "1/a"), Opening, Gap, Of::Mode(|m| m.opening)),
         row((AXIAL, "q1 - q2", "1"), MeanAxial, One, Of::Mode(|m| m.mean_axial)),
         row((ACROSS, "s1 + s2", "1"), MeanTransverse, One, Of::Mode(|m| m.across.mean_transverse)),
-        row((COUNTER, "s1 + s2", "1/a"), MeanTransverse, Distance, Of::Mode(|m| m.across.counter_spin)),
+        row((COUNTER, "s1 + s2", "1/a"), MeanTransverse, Faded, Of::Mode(|m| m.across.counter_spin)),
         row((TURNING, "s1 - s2", "1/a"), Turning, Distance, Of::Mode(|m| m.across.turning)),
-        row((SPIN, "s1 - s2", "1/a"), Turning, Distance, Of::Mode(|m| m.across.mean_spin)),
+        row((SPIN, "s1 - s2", "1/a"), Turning, Faded, Of::Mode(|m| m.across.mean_spin)),
         row((ACROSS, "t1 - t2", "1/(pi mu a^2)"), MeanTransverse, One, Of::Torque(|m| m.torque.mean_transverse)),
         row((COUNTER, "t1 - t2", "1/(pi mu a^3)"), MeanTransverse, One, Of::Torque(|m| m.torque.counter_spin)),
         row((TURNING, "t1 + t2", "1/(pi mu a^3)"), Turning, Distance, Of::Torque(|m| m.torque.turning)),
@@ -206,6 +211,7 @@ impl FarScale {
             Self::One => 1.0,
             Self::Gap => gap.eps(),
             Self::Distance => gap.distance(),
+            Self::Faded => gap.distance().min(FADED),
         }
     }
 }

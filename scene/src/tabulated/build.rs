@@ -246,9 +246,12 @@ impl Builder<'_> {
                 let accuracy = PARTS_ACCURACY * self.target;
                 Stretch::of_pieces(&built.pieces, accuracy, stretch.least_parts())
             };
+            let (stretches, left): (Vec<_>, Vec<_>) =
+                (on_stretches.iter().zip(stretches).map(stretch)).unzip();
+            let errors = on_stretches.iter().map(|built| built.error).chain(left);
             let tabulation = Tabulation {
-                stretches: on_stretches.iter().zip(stretches).map(stretch).collect(),
-                error: (on_stretches.iter()).fold(0.0, |most, built| built.error.max(most)),
+                stretches,
+                error: errors.fold(0.0, f64::max),
                 evaluations: on_stretches.iter().map(|built| built.evaluations).sum(),
             };
             (group, tabulation)

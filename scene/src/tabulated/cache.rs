@@ -19,7 +19,7 @@ use super::{BuildProgress, TableOptions, Tabulated};
 use crate::{Hydrodynamics, SceneError};
 
 /// Changes with the meaning of what is stored.
-const FORMAT: &str = "mobilities 2";
+const FORMAT: &str = "mobilities 3";
 
 #[derive(Serialize, Deserialize)]
 struct Kept {

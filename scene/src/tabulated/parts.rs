@@ -35,23 +35,26 @@ pub(super) struct Stretch {
 }
 
 impl Stretch {
-    /// Of the pieces that make up the stretch, in their order, to `accuracy` relative to the larger of the function and 1; in
-    /// `2^least` parts at least.
-    pub fn of_pieces(pieces: &[Piece], accuracy: f64, least: u32) -> Self {
+    /// Of the pieces that make up the stretch, in their order, to `accuracy` relative to the larger of the function and 1, in
+    /// `2^least` parts at least; with the error that is left.
+    pub fn of_pieces(pieces: &[Piece], accuracy: f64, least: u32) -> (Self, f64) {
         let accuracy = accuracy.max(ROUNDING);
         let columns = (pieces.first())
             .and_then(|piece| piece.series.first())
             .map_or(0, Vec::len);
-        let most = (pieces.iter()).map(|piece| {
+        let (mut halvings, mut error) = (least, 0.0_f64);
+        for piece in pieces {
             let mut more = 0;
-            while 1 << (piece.halvings + more) < MOST
-                && !is_matched(&piece.series, 1 << more, accuracy)
-            {
+            let left = loop {
+                let left = unmatched(&piece.series, 1 << more);
+                if left <= accuracy || 1 << (piece.halvings + more) >= MOST {
+                    break left;
+                }
                 more += 1;
-            }
-            piece.halvings + more
-        });
-        let halvings = most.fold(least, u32::max);
+            };
+            halvings = halvings.max(piece.halvings + more);
+            error = error.max(left);
+        }
         let coefficients = (pieces.iter())
             .flat_map(|piece| {
                 let count = 1 << (halvings - piece.halvings);
@@ -59,10 +62,11 @@ impl Stretch {
             })
             .flatten()
             .collect();
-        Self {
+        let stretch = Self {
             columns,
             coefficients,
-        }
+        };
+        (stretch, error)
     }
 }
 
@@ -160,12 +164,13 @@ impl<const PAIRS: usize> Parts<PAIRS> {
     }
 }
 
-/// Whether polynomials on `count` equal parts are close enough to `series`.
-fn is_matched(series: &[Vec<f64>], count: usize, accuracy: f64) -> bool {
-    (0..count).all(|part| {
+/// What polynomials on `count` equal parts leave of `series`, relative to the larger of it and 1.
+fn unmatched(series: &[Vec<f64>], count: usize) -> f64 {
+    let left = (0..count).map(|part| {
         let (values, rows) = fitted(series, part, count);
-        tail(&rows, &values) <= accuracy
-    })
+        tail(&rows, &values)
+    });
+    left.fold(0.0, f64::max)
 }
 
 /// The values of `series` at the Chebyshev points of one of `count` parts, and the series through them.
@@ -233,7 +238,7 @@ mod tests {
     #[test]
     fn val_a_polynomial_and_its_columns_are_reproduced_to_rounding() {
         let polynomials = |x: f64| vec![1.0 - 2.0 * x + x.powi(5), x.powi(3)];
-        let stretch = Stretch::of_pieces(&pieces_of(polynomials, 8, 0), 1e-12, 0);
+        let (stretch, _) = Stretch::of_pieces(&pieces_of(polynomials, 8, 0), 1e-12, 0);
         let of = |usual| Parts::<1>::new(&[stretch.clone(), stretch.clone()], &[usual; 2]).unwrap();
         for x in [-0.1, 0.0, 0.3, 0.77, 0.999] {
             // In so many parts as they have, and in other ones.
@@ -263,7 +268,8 @@ mod tests {
         for halvings in [0, 2] {
             let pieces = pieces_of(function, 32, halvings);
             for accuracy in [1e-6, 1e-9, 1e-12] {
-                let stretch = Stretch::of_pieces(&pieces, accuracy, 1);
+                let (stretch, left) = Stretch::of_pieces(&pieces, accuracy, 1);
+                assert!(left <= accuracy);
                 let parts = Parts::<1>::new(&[stretch], &[1]).unwrap();
                 let count = parts.parts.len() as u32;
                 assert!(parts.parts.len() > pieces.len());
