@@ -83,7 +83,7 @@ impl Transverse {
     }
 }
 
-/// The coefficients of `set` by the balance of `loads`, which must hold those of the set.
+/// The coefficients of `set`, but for those by swirl, by the balance of `loads`, which must hold those of the set.
 ///
 /// ```
 /// use scene::{Gap, LoadSet, PairLoads, balance, mobility::MobilitySet};
@@ -97,7 +97,7 @@ impl Transverse {
 #[must_use]
 pub fn solve(gap: Gap, loads: &PairLoads, set: MobilitySet) -> Mobility {
     let mut mobility = Mobility::default();
-    let Mobility { pair, modes } = &mut mobility;
+    let Mobility { pair, modes, .. } = &mut mobility;
     solve_into(gap, loads, set, (pair, modes));
     mobility
 }
@@ -242,7 +242,7 @@ mod tests {
             torque: true,
         };
         let gap = Gap::new(0.37).unwrap();
-        let Mobility { pair, modes } = solve(gap, &loads, set);
+        let Mobility { pair, modes, .. } = solve(gap, &loads, set);
         let external = External {
             repulsion,
             torque: Some(torque),

@@ -1,7 +1,7 @@
 //! Sine, cosine and exponential as a right-hand side takes them: inlined, without a call to the system's mathematical library.
 //!
 //! They took half of the instructions of a tabulated right-hand side. The polynomials of the sines and the reductions are those of fdlibm (Sun
-//! Microsystems, 1993), evaluated within 1.5 units in the last place on the arguments that occur; all others go to the standard library. With it
+//! Microsystems, 1993), within two units in the last place on the arguments that occur; all others go to the standard library. With it
 //! the same bits come out on every machine.
 
 use std::ops::{Add, Mul, Sub};

@@ -191,18 +191,33 @@ pub trait Hydrodynamics: Send + Sync {
         }
     }
 
-    /// The coefficients of `set` at `gap`, but for those by swirl: beyond the cut those of lone spheres.
+    /// All coefficients of `set` at `gap`, of spheres that interact.
+    ///
+    /// # Errors
+    /// As [`Self::interacting_loads`].
+    fn interacting_mobilities(&self, gap: Gap, set: MobilitySet) -> Result<Mobility, SceneError> {
+        let mut mobility = Mobility::default();
+        let Mobility { pair, modes, swirl } = &mut mobility;
+        if set.loads.swirl > 0 {
+            self.interacting_mobility_with_swirl(gap, set, (pair, modes), swirl)?;
+        } else {
+            self.interacting_mobility(gap, set, (pair, modes))?;
+        }
+        Ok(mobility)
+    }
+
+    /// All coefficients of `set` at `gap`: beyond the cut those of lone spheres.
     ///
     /// # Errors
     /// As [`Self::interacting_loads`].
     fn mobility(&self, gap: Gap, set: MobilitySet) -> Result<Mobility, SceneError> {
-        if self.is_cut(gap) {
-            let lone = PairLoads::isolated(set.loads.check()?);
-            return Ok(balance::solve(gap, &lone, set));
+        if !self.is_cut(gap) {
+            return self.interacting_mobilities(gap, set);
         }
-        let mut mobility = Mobility::default();
-        let Mobility { pair, modes } = &mut mobility;
-        self.interacting_mobility(gap, set, (pair, modes))?;
+        let loads = PairLoads::isolated(set.loads.check()?);
+        let mut mobility = balance::solve(gap, &loads, set);
+        let swirl = SwirlLoads::isolated(set.loads);
+        balance::solve_swirl_into(gap, (&loads, &swirl), set, &mut mobility.swirl);
         Ok(mobility)
     }
 

@@ -83,17 +83,19 @@ pub struct PairMobility {
     pub twist: Twist,
 }
 
-/// Coefficients with those by each squirming mode, the first at 0.
+/// The coefficients of a pair by its swirl modes, the first at 0.
+pub type SwirlMobilities = [SwirlMobility; MAX_MODES];
+
+/// All coefficients, those of a [`MobilitySet`]; the others are not to be read.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mobility {
     /// Those that belong to no mode.
     pub pair: PairMobility,
-    /// Of at least the modes of a set.
+    /// By each squirming mode, the first at 0.
     pub modes: [ModeMobility; MAX_MODES],
+    /// By each swirl mode.
+    pub swirl: SwirlMobilities,
 }
-
-/// The coefficients of a pair by its swirl modes, the first at 0.
-pub type SwirlMobilities = [SwirlMobility; MAX_MODES];
 
 /// The coefficients that a caller will read: those by the slip whose loads are in a set, by repulsion, and perhaps by torques.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

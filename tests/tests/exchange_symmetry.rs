@@ -8,7 +8,7 @@ use std::time::Instant;
 use bem::Bem;
 use compare::{Approach, Case};
 use exact::Exact;
-use scene::mobility::{MobilitySet, SwirlMobilities};
+use scene::mobility::MobilitySet;
 use scene::{
     Gap, Hydrodynamics, LoadSet, ModelDescription, PairLoads, Plan, RunOptions, SceneError, State,
     SwirlLoads, TableOptions, Tabulated, run_plan,
@@ -135,7 +135,7 @@ fn tables_for_symmetric_pairs_hold_what_these_read_within_their_tolerance() {
             let gap = Gap::from_ln(-6.9 + 0.21 * f64::from(i));
             let named = |model: &dyn Hydrodynamics| {
                 let mobility = model.mobility(gap, reads(set)).unwrap();
-                mobility.named(reads(set), &SwirlMobilities::default())
+                mobility.named(reads(set))
             };
             for ((name, a), (_, b)) in named(&table).into_iter().zip(named(table.model())) {
                 assert!(

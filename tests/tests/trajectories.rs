@@ -12,7 +12,7 @@ use compare::{
     OffsetRow,
 };
 use compare::{encounters, offsets};
-use scene::mobility::{MobilitySet, SwirlMobilities};
+use scene::mobility::MobilitySet;
 use scene::{Gap, LoadSet, Outcome, RunOptions};
 use tests::CloseCsv;
 
@@ -231,7 +231,7 @@ fn val_tabulated_exact_mobilities_are_within_their_tolerance_of_direct_ones() {
         };
         let of = |model: &Model| {
             let mobility = model.mobility(gap, read).unwrap();
-            mobility.named(read, &SwirlMobilities::default())
+            mobility.named(read)
         };
         for ((name, a), (_, b)) in of(table).into_iter().zip(of(&direct)) {
             let error = (a - b).abs() / b.abs().max(1.0);

@@ -8,9 +8,7 @@ use bem::{Bem, Body, Lab, Motion};
 use exact::Exact;
 use lt::{Form, Lubrication};
 use nalgebra::{Unit, Vector3};
-use scene::mobility::{
-    External, Heading, Mobility, MobilitySet, SwirlMobilities, add_swirl, pair_velocity,
-};
+use scene::mobility::{External, Heading, MobilitySet, add_swirl, pair_velocity};
 use scene::{
     Gap, Hydrodynamics, LoadSet, Orientation, Pose, Repulsion, Run, RunOptions, Scene, Squirmer,
     run,
@@ -45,9 +43,7 @@ fn pair_frame_motions(model: &impl Hydrodynamics, pair: &[Placed; 2]) -> [Motion
         loads: set,
         torque: false,
     };
-    let (mut mobility, mut swirl) = (Mobility::default(), SwirlMobilities::default());
-    let Mobility { pair: rigid, modes } = &mut mobility;
-    (model.interacting_mobility_with_swirl(gap, set, (rigid, modes), &mut swirl)).unwrap();
+    let mobility = model.mobility(gap, set).unwrap();
     let headings = [(0, 1.0), (1, -1.0)].map(|(k, sign): (usize, f64)| {
         let p = pair[k].p;
         Heading {
@@ -61,12 +57,12 @@ fn pair_frame_motions(model: &impl Hydrodynamics, pair: &[Placed; 2]) -> [Motion
         torque: None,
     };
     let mut v = pair_velocity(
-        (rigid, &modes[..set.loads.modes]),
+        (&mobility.pair, &mobility.modes[..set.loads.modes]),
         &squirmers,
         &headings,
         &external,
     );
-    let axial = add_swirl(&mut v, &swirl, &squirmers, (&headings, &turned));
+    let axial = add_swirl(&mut v, &mobility.swirl, &squirmers, (&headings, &turned));
     let mean = d * v.mean_axial + v.mean_transverse;
     let half = (d * (v.opening * gap.eps()) + v.turning * distance) * 0.5;
     [(0, -1.0), (1, 1.0)].map(|(k, side): (usize, f64)| Motion {

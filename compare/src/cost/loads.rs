@@ -4,8 +4,8 @@ use bem::Bem;
 use exact::Exact;
 use lt::{Form, Lubrication};
 use scene::balance;
-use scene::mobility::{Mobility, MobilitySet, SwirlMobilities};
-use scene::{Gap, Hydrodynamics, SceneError};
+use scene::mobility::{Mobility, MobilitySet};
+use scene::{Gap, Hydrodynamics, PairLoads, SceneError};
 
 use super::tables::{Built, Tables};
 use super::timing::timed;
@@ -37,7 +37,7 @@ pub(super) fn measure(
         let at = At {
             gap,
             loads: loads.named(),
-            mobilities: named(&mobility),
+            mobilities: mobility.named(READ),
         };
         for (method, form) in [
             (Method::Lt, Form::Published),
@@ -45,13 +45,13 @@ pub(super) fn measure(
         ] {
             let model = Lubrication::new(form);
             rows.push(at.row(method.name(), ("none", f64::NAN), || {
-                Ok(model.loads(gap, LOADS)?.named())
+                model.loads(gap, LOADS)
             }));
         }
         for factor in TERMS {
             let model = Exact::with_terms(factor).map_err(SceneError::from)?;
             rows.push(at.row("exact", ("terms factor", factor), || {
-                Ok(model.series_loads(gap, LOADS)?.named())
+                Ok(model.series_loads(gap, LOADS)?)
             }));
         }
         for built in tables.exact.iter().chain(&tables.bem) {
@@ -60,7 +60,7 @@ pub(super) fn measure(
         for model in &levels {
             let knob = ("level", model.level() as f64);
             let before = model.solves();
-            let mut row = at.row("bem", knob, || Ok(model.loads(gap, LOADS)?.named()));
+            let mut row = at.row("bem", knob, || model.loads(gap, LOADS));
             // `timed` adds a warm-up call, unless the call is so slow that it runs only once.
             let warm_up = if row.repeats > 1 { 1 } else { 0 };
             row.solves = (model.solves() - before) as f64 / (row.repeats + warm_up) as f64;
@@ -79,10 +79,6 @@ const READ: MobilitySet = MobilitySet {
     torque: true,
 };
 
-fn named(mobility: &Mobility) -> Named {
-    mobility.named(READ, &SwirlMobilities::default())
-}
-
 /// A gap with the reference.
 struct At {
     gap: Gap,
@@ -95,16 +91,11 @@ impl At {
         &self,
         model: &str,
         knob: (&str, f64),
-        loads: impl Fn() -> Result<Named, SceneError>,
+        loads: impl Fn() -> Result<PairLoads, SceneError>,
     ) -> CostRow {
-        let mut row = CostRow::new(Part::Loads, model, knob, self.gap.eps().to_string());
-        let (loads, timing) = timed(loads);
-        if let Ok(loads) = loads {
-            (row.error, row.error_rms) = errors(&loads, &self.loads);
-            row.seconds = timing.seconds;
-            row.repeats = timing.repeats;
-        }
-        row
+        self.timed_row(model, knob, loads, |loads| {
+            errors(&loads.named(), &self.loads)
+        })
     }
 
     /// Tables hold mobilities instead of loads.
@@ -112,16 +103,29 @@ impl At {
         // The gap comes from its logarithm, as in a trajectory.
         let ln_gap = self.gap.ln();
         let knob = ("table tolerance", built.tolerance);
-        let mut row = CostRow::new(Part::Loads, &*built.name, knob, self.gap.eps().to_string());
-        let (mobility, timing) =
-            timed(|| (built.table).mobility(Gap::from_ln(std::hint::black_box(ln_gap)), READ));
-        if let Ok(mobility) = mobility {
-            (row.error, row.error_rms) = errors(&named(&mobility), &self.mobilities);
+        let mobility = || (built.table).mobility(Gap::from_ln(std::hint::black_box(ln_gap)), READ);
+        let errors = |mobility: &Mobility| errors(&mobility.named(READ), &self.mobilities);
+        let mut row = self.timed_row(&built.name, knob, mobility, errors);
+        row.set_up_seconds = built.seconds;
+        row.loads = built.table.summary().evaluations as f64;
+        row
+    }
+
+    /// The time of one evaluation, and its largest and root-mean-square error.
+    fn timed_row<T>(
+        &self,
+        model: &str,
+        knob: (&str, f64),
+        evaluation: impl Fn() -> Result<T, SceneError>,
+        errors: impl Fn(&T) -> (f64, f64),
+    ) -> CostRow {
+        let mut row = CostRow::new(Part::Loads, model, knob, self.gap.eps().to_string());
+        let (found, timing) = timed(evaluation);
+        if let Ok(found) = found {
+            (row.error, row.error_rms) = errors(&found);
             row.seconds = timing.seconds;
             row.repeats = timing.repeats;
         }
-        row.set_up_seconds = built.seconds;
-        row.loads = built.table.summary().evaluations as f64;
         row
     }
 }

@@ -38,7 +38,7 @@ const READ: MobilitySet = MobilitySet {
 
 fn columns(model: &Model, eps: f64) -> Result<Vec<f64>, CompareError> {
     let mobility = model.mobility(Gap::new(eps)?, READ)?;
-    let named = mobility.named(READ, &Default::default());
+    let named = mobility.named(READ);
     Ok(named
         .into_iter()
         .map(|(_, coefficient)| coefficient)

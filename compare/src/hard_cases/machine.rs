@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use bem::Bem;
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use scene::mobility::{MobilitySet, SwirlMobilities};
+use scene::mobility::MobilitySet;
 use scene::{
     Gap, Gravity, Hydrodynamics, LoadSet, Orientation, Pose, Repulsion, RunOptions, Scene,
     SceneError, Squirmer, TableOptions, Tabulated,
@@ -67,7 +67,7 @@ fn extremes(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         };
         if let Ok(mobility) = model.mobility(gap, read)
             && !mobility
-                .named(read, &SwirlMobilities::default())
+                .named(read)
                 .iter()
                 .all(|(_, value)| value.is_finite())
         {
@@ -169,9 +169,7 @@ fn bits(model: &dyn Hydrodynamics, loads: LoadSet) -> Result<Vec<u64>, CompareEr
     };
     for k in 0..20 {
         let gap = Gap::from_ln(0.35_f64.ln() + 0.4 * f64::from(k));
-        let named = model
-            .mobility(gap, read)?
-            .named(read, &SwirlMobilities::default());
+        let named = model.mobility(gap, read)?.named(read);
         bits.extend(named.into_iter().map(|(_, value)| value.to_bits()));
     }
     Ok(bits)

@@ -5,7 +5,7 @@ use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
 
-use scene::mobility::{MobilitySet, SwirlMobilities};
+use scene::mobility::MobilitySet;
 use scene::{Gap, LoadSet, SceneError};
 use serde::{Deserialize, Serialize};
 
@@ -137,7 +137,7 @@ impl Arithmetic {
                 for eps in GAPS {
                     // A model answers at no gap beyond its range.
                     if let Ok(mobility) = model.mobility(Gap::new(eps)?, read) {
-                        for (_, value) in mobility.named(read, &SwirlMobilities::default()) {
+                        for (_, value) in mobility.named(read) {
                             bits.update(&value.to_bits().to_le_bytes());
                         }
                     }

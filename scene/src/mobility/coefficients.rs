@@ -1,6 +1,6 @@
 //! The list of coefficients, and the parts of the balance that they follow from.
 
-use super::{Mobility, MobilitySet, ModeMobility, PairMobility, SwirlMobilities, SwirlMobility};
+use super::{Mobility, MobilitySet, ModeMobility, PairMobility, SwirlMobility};
 use crate::{Gap, LoadSet, Parities};
 
 /// What a coefficient belongs to: one for the pair, or one for each mode.
@@ -111,17 +111,11 @@ impl MobilitySet {
 
 impl Coefficient {
     /// Its value for the mode counted from 0, if it has one.
-    pub(crate) fn value(
-        &self,
-        n: usize,
-        pair: &PairMobility,
-        modes: &[ModeMobility],
-        swirl: &[SwirlMobility],
-    ) -> f64 {
+    pub(crate) fn value(&self, n: usize, of_pair: &Mobility) -> f64 {
         match self.of {
-            Of::Pair(of) | Of::Torque(of) => of(pair),
-            Of::Mode(of) => of(&modes[n]),
-            Of::Swirl(of) => of(&swirl[n]),
+            Of::Pair(of) | Of::Torque(of) => of(&of_pair.pair),
+            Of::Mode(of) => of(&of_pair.modes[n]),
+            Of::Swirl(of) => of(&of_pair.swirl[n]),
         }
     }
 
@@ -143,17 +137,16 @@ impl Coefficient {
 }
 
 impl Mobility {
-    /// Every coefficient of `set` with its effect, its cause and its mode, such as `opening, d(ln eps)/dt by q1 + q2, mode 2`; with those by
-    /// swirl.
+    /// Every coefficient of `set` with its effect, its cause and its mode, such as `opening, d(ln eps)/dt by q1 + q2, mode 2`.
     #[must_use]
-    pub fn named(&self, set: MobilitySet, swirl: &SwirlMobilities) -> Vec<(String, f64)> {
+    pub fn named(&self, set: MobilitySet) -> Vec<(String, f64)> {
         let of = |c: &Coefficient, n: usize| {
             let mode = match c.of {
                 Of::Pair(_) | Of::Torque(_) => String::new(),
                 Of::Mode(_) | Of::Swirl(_) => format!(", mode {}", n + 1),
             };
             let name = format!("{} by {}{mode}", c.effect, c.cause);
-            (name, c.value(n, &self.pair, &self.modes, swirl))
+            (name, c.value(n, self))
         };
         (COEFFICIENTS.iter())
             .flat_map(|c| (0..c.count(set)).map(move |n| of(c, n)))
@@ -251,9 +244,9 @@ mod tests {
         for (mode, across) in mobility.modes.iter_mut().zip(of_modes) {
             (mode.opening, mode.mean_axial, mode.across) = (next(), next(), across);
         }
-        let mut swirl = SwirlMobilities::default();
-        (swirl[0].twist, swirl[0].across) = (by_swirl, of_swirl);
-        let named = mobility.named(ALL, &swirl);
+        let [swirl, ..] = &mut mobility.swirl;
+        (swirl.twist, swirl.across) = (by_swirl, of_swirl);
+        let named = mobility.named(ALL);
         let mut values: Vec<f64> = named.iter().map(|(_, value)| *value).collect();
         values.sort_by(f64::total_cmp);
         let expected: Vec<f64> = (1..=ALL.count()).map(|n| n as f64).collect();

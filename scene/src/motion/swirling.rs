@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::coordinates::{Spatial, along_line, spin_about};
 use super::equations::{Dynamics as _, Effect, Instant};
-use crate::mobility::{Heading, Mobility, SwirlMobilities, add_swirl, pair_velocity};
+use crate::mobility::{Heading, Mobility, add_swirl, pair_velocity};
 use crate::{Gravity, Hydrodynamics, SceneError};
 
 /// The effect of swirl. Its modes are the squirmers' own.
@@ -28,16 +28,16 @@ where
     G: Effect<Gravity>,
     W: Effect<Swirl>,
 {
-    let (mut mobility, mut swirl) = (Mobility::default(), SwirlMobilities::default());
-    let Mobility { pair, modes } = &mut mobility;
+    let mut mobility = Mobility::default();
+    let Mobility { pair, modes, swirl } = &mut mobility;
     let set = at.mobility_set();
-    (at.model).interacting_mobility_with_swirl(at.gap, set, (pair, modes), &mut swirl)?;
+    (at.model).interacting_mobility_with_swirl(at.gap, set, (pair, modes), swirl)?;
     let d = along_line(y);
     let turned = [0, 1].map(|k| d.cross(&headings[k].transverse));
     let external = at.external(coordinates, y);
     let read = &modes[..at.set.modes];
     let mut velocity = pair_velocity((pair, read), at.squirmers, headings, &external);
-    let spins = add_swirl(&mut velocity, &swirl, at.squirmers, (headings, &turned));
+    let spins = add_swirl(&mut velocity, swirl, at.squirmers, (headings, &turned));
     let mut dy = coordinates.derivative(y, &velocity);
     spin_about(&d, y, &mut dy, spins);
     if let Some(gravity) = at.gravity.get() {

@@ -4,9 +4,7 @@
 //! was built before. The groups of the five blocks of the balance hold the modes 1 and 2, which nearly all scenes have; each
 //! higher mode and each swirl mode is a group of its own.
 
-use crate::mobility::{
-    Block, COEFFICIENTS, Coefficient, FarScale, Mobility, MobilitySet, Of, SwirlMobilities,
-};
+use crate::mobility::{Block, COEFFICIENTS, Coefficient, FarScale, MobilitySet, Of};
 use crate::{Gap, Hydrodynamics, LoadSet, SceneError};
 
 /// Squirming modes in the groups of the blocks.
@@ -95,16 +93,10 @@ impl Group {
             loads: loads.reduce(LoadSet::union).unwrap_or(LoadSet::axial(0)),
             torque: true,
         };
-        let (mut mobility, mut swirl) = (Mobility::default(), SwirlMobilities::default());
-        let Mobility { pair, modes } = &mut mobility;
-        if set.loads.swirl > 0 {
-            model.interacting_mobility_with_swirl(gap, set, (pair, modes), &mut swirl)?;
-        } else {
-            model.interacting_mobility(gap, set, (pair, modes))?;
-        }
+        let mobility = model.interacting_mobilities(gap, set)?;
         let value = |(coefficient, n): Column| {
             let scale = if far { coefficient.far } else { FarScale::One };
-            coefficient.value(n, pair, modes, &swirl) * scale.at(gap)
+            coefficient.value(n, &mobility) * scale.at(gap)
         };
         let of_group = |group: &Self| group.columns().into_iter().map(value).collect();
         Ok(batch.iter().map(of_group).collect())

@@ -113,20 +113,11 @@ impl Columns {
         let higher = set.loads.modes.saturating_sub(BASE_MODES);
         for (n, of_mode) in modes.iter_mut().skip(BASE_MODES).enumerate().take(higher) {
             let parts = self.modes.get(n)?;
-            let [
-                [opening, mean_axial],
-                [mean_transverse, counter_spin],
-                [turning, mean_spin],
-            ] = parts.at(place)?;
+            let [[opening, mean_axial], even, odd] = parts.at(place)?;
             *of_mode = ModeMobility {
                 opening,
                 mean_axial,
-                across: Across {
-                    mean_transverse,
-                    counter_spin,
-                    turning,
-                    mean_spin,
-                },
+                across: across(even, odd),
             };
         }
         Some(())
@@ -150,23 +141,25 @@ impl Columns {
     /// The coefficients by a swirl mode, counted from 0, if it is tabulated.
     pub fn swirl(&self, place: &Place, n: usize) -> Option<SwirlMobility> {
         let parts = self.swirl.get(n)?;
-        let [
-            [mean, half_difference],
-            [mean_transverse, counter_spin],
-            [turning, mean_spin],
-        ] = parts.at(place)?;
+        let [[mean, half_difference], even, odd] = parts.at(place)?;
         Some(SwirlMobility {
             twist: Twist {
                 mean,
                 half_difference,
             },
-            across: Across {
-                mean_transverse,
-                counter_spin,
-                turning,
-                mean_spin,
-            },
+            across: across(even, odd),
         })
+    }
+}
+
+/// From the pairs of columns of a mode that is tabulated alone.
+#[inline(always)]
+fn across([mean_transverse, counter_spin]: [f64; 2], [turning, mean_spin]: [f64; 2]) -> Across {
+    Across {
+        mean_transverse,
+        counter_spin,
+        turning,
+        mean_spin,
     }
 }
 

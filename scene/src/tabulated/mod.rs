@@ -188,6 +188,24 @@ impl Tabulated {
         ))
     }
 
+    /// What is tabulated at a place, which may be `far`, made into the coefficients at `gap`.
+    #[inline(always)]
+    fn read(
+        &self,
+        gap: Gap,
+        (place, far): (&Place, bool),
+        set: MobilitySet,
+        (pair, modes): (&mut PairMobility, &mut [ModeMobility]),
+    ) -> Result<(), SceneError> {
+        if self.columns.read(place, set, pair, modes).is_none() {
+            return Err(self.refused(set.loads));
+        }
+        if far {
+            shrink(gap, pair, modes);
+        }
+        Ok(())
+    }
+
     /// By the model: the gap is not in the table.
     #[cold]
     fn beyond(
@@ -210,8 +228,12 @@ impl Tabulated {
 }
 
 impl Hydrodynamics for Tabulated {
+    /// The model's, but for the noise, which is the interpolation error.
     fn description(&self) -> ModelDescription<'_> {
-        self.model.description()
+        ModelDescription {
+            noise: self.summary.interpolation_error,
+            ..self.model.description()
+        }
     }
 
     fn fingerprint(&self) -> String {
@@ -236,34 +258,28 @@ impl Hydrodynamics for Tabulated {
         &self,
         gap: Gap,
         set: MobilitySet,
-        (pair, modes): (&mut PairMobility, &mut [ModeMobility]),
+        into: (&mut PairMobility, &mut [ModeMobility]),
     ) -> Result<(), SceneError> {
         let far = gap.eps() > FAR_GAP;
-        let Some(place) = self.place(gap, far) else {
-            return self.beyond(gap, set, (pair, modes));
-        };
-        if self.columns.read(&place, set, pair, modes).is_none() {
-            return Err(self.refused(set.loads));
+        match self.place(gap, far) {
+            Some(place) => self.read(gap, (&place, far), set, into),
+            None => self.beyond(gap, set, into),
         }
-        if far {
-            shrink(gap, pair, modes);
-        }
-        Ok(())
     }
 
     fn interacting_mobility_with_swirl(
         &self,
         gap: Gap,
         set: MobilitySet,
-        (pair, modes): (&mut PairMobility, &mut [ModeMobility]),
+        into: (&mut PairMobility, &mut [ModeMobility]),
         swirl: &mut SwirlMobilities,
     ) -> Result<(), SceneError> {
         let far = gap.eps() > FAR_GAP;
         let Some(place) = self.place(gap, far) else {
             let model = &self.model;
-            return model.interacting_mobility_with_swirl(gap, set, (pair, modes), swirl);
+            return model.interacting_mobility_with_swirl(gap, set, into, swirl);
         };
-        self.interacting_mobility(gap, set, (pair, modes))?;
+        self.read(gap, (&place, far), set, into)?;
         for (n, of_mode) in swirl.iter_mut().enumerate().take(set.loads.swirl) {
             let read = self.columns.swirl(&place, n);
             *of_mode = read.ok_or_else(|| self.refused(set.loads))?;

@@ -58,7 +58,7 @@ impl Stretch {
         let coefficients = (pieces.iter())
             .flat_map(|piece| {
                 let count = 1 << (halvings - piece.halvings);
-                (0..count).flat_map(move |part| powers(&matched(&piece.series, part, count)))
+                (0..count).flat_map(move |part| powers(&fitted(&piece.series, part, count).1))
             })
             .flatten()
             .collect();
@@ -183,11 +183,6 @@ fn fitted(series: &[Vec<f64>], part: usize, count: usize) -> (Vec<Vec<f64>>, Vec
         .collect();
     let rows = coefficients(&values);
     (values, rows)
-}
-
-/// The series on one of `count` parts that matches `series` at the Chebyshev points there.
-fn matched(series: &[Vec<f64>], part: usize, count: usize) -> Vec<Vec<f64>> {
-    fitted(series, part, count).1
 }
 
 /// The powers of `u`, the highest first, of a Chebyshev series.

@@ -85,28 +85,15 @@ fn read(set: LoadSet) -> MobilitySet {
     }
 }
 
-type Answer = Result<(Mobility, SwirlMobilities), SceneError>;
-
 /// What a model answers for spheres that interact.
-fn answer(model: &dyn Hydrodynamics, eps: f64, set: LoadSet) -> Answer {
-    let gap = Gap::new(eps)?;
-    let (mut mobility, mut swirl) = (Mobility::default(), SwirlMobilities::default());
-    let Mobility { pair, modes } = &mut mobility;
-    if set.swirl > 0 {
-        model.interacting_mobility_with_swirl(gap, read(set), (pair, modes), &mut swirl)?;
-    } else {
-        model.interacting_mobility(gap, read(set), (pair, modes))?;
-    }
-    Ok((mobility, swirl))
+fn answer(model: &dyn Hydrodynamics, eps: f64, set: LoadSet) -> Result<Mobility, SceneError> {
+    model.interacting_mobilities(Gap::new(eps)?, read(set))
 }
 
 /// The largest difference of a coefficient from that of a table's model, relative to the larger of it and 1; that of the opening as a
 /// velocity where the two are far apart.
 fn worst(table: &Tabulated, eps: f64, set: LoadSet) -> f64 {
-    let named = |model: &dyn Hydrodynamics| {
-        let (mobility, swirl) = answer(model, eps, set).unwrap();
-        mobility.named(read(set), &swirl)
-    };
+    let named = |model: &dyn Hydrodynamics| answer(model, eps, set).unwrap().named(read(set));
     let (found, truth) = (named(table), named(table.model()));
     assert_eq!(found.len(), truth.len());
     (found.into_iter().zip(truth)).fold(0.0, |most, ((name, a), (_, b))| {
@@ -153,9 +140,9 @@ fn a_table_with_swirl_agrees_with_its_model_and_leaves_the_other_coefficients_as
         let error = worst(&two, eps, set);
         assert!(error <= 3e-9, "{eps}: {error}");
         let [alone, both] = [answer(&plain, eps, LoadSet::all(2)), answer(&two, eps, set)];
-        let [(alone, _), (both, swirl)] = [alone.unwrap(), both.unwrap()];
-        assert_eq!(alone, both);
-        assert_eq!(answer(&four, eps, set).unwrap(), (both, swirl));
+        let [alone, both] = [alone.unwrap(), both.unwrap()];
+        assert_eq!((alone.pair, alone.modes), (both.pair, both.modes));
+        assert_eq!(answer(&four, eps, set).unwrap(), both);
     }
     assert!(answer(&plain, 1.0, LoadSet::all(2).with_swirl(1)).is_err());
 }
@@ -165,13 +152,9 @@ fn a_table_reaches_to_infinity() {
     let table = table(None, 1e-14, 1e-10);
     let set = LoadSet::all(2);
     let gap = Gap::new(1e15).unwrap();
-    let (far, _) = answer(&table, gap.eps(), set).unwrap();
+    let far = answer(&table, gap.eps(), set).unwrap();
     let lone = balance::solve(gap, &PairLoads::isolated(set), read(set));
-    let none = SwirlMobilities::default();
-    let both = far
-        .named(read(set), &none)
-        .into_iter()
-        .zip(lone.named(read(set), &none));
+    let both = far.named(read(set)).into_iter().zip(lone.named(read(set)));
     for ((name, found), (_, lone)) in both {
         assert!((found - lone).abs() < 1e-9, "{name}: {found}, {lone}");
     }
@@ -181,7 +164,7 @@ fn a_table_reaches_to_infinity() {
 fn a_table_jumps_at_a_seam_as_its_model_does() {
     let table = table(Some(0.3), 1e-14, 1e-9);
     let at = |model: &dyn Hydrodynamics, eps| {
-        let (mobility, _) = answer(model, eps, LoadSet::all(2)).unwrap();
+        let mobility = answer(model, eps, LoadSet::all(2)).unwrap();
         mobility.modes[0].across.mean_transverse
     };
     let jump = |model| at(model, 0.3 + 1e-9) - at(model, 0.3 - 1e-9);
@@ -232,8 +215,8 @@ fn below_a_table_the_model_answers() {
 #[test]
 fn fewer_modes_than_tabulated_are_read_and_more_refused() {
     let table = table(None, 1e-14, 1e-6);
-    let (gap, none) = (Gap::new(0.1).unwrap(), SwirlMobilities::default());
-    let (both, _) = answer(&table, 0.1, LoadSet::all(2)).unwrap();
+    let gap = Gap::new(0.1).unwrap();
+    let both = answer(&table, 0.1, LoadSet::all(2)).unwrap();
     let (mut pair, mut modes) = (PairMobility::default(), [ModeMobility::default()]);
     let one = read(LoadSet::all(1));
     table
@@ -241,8 +224,8 @@ fn fewer_modes_than_tabulated_are_read_and_more_refused() {
         .unwrap();
     assert_eq!((pair, modes[0]), (both.pair, both.modes[0]));
     assert_eq!(
-        table.mobility(gap, one).unwrap().named(one, &none),
-        both.named(one, &none)
+        table.mobility(gap, one).unwrap().named(one),
+        both.named(one)
     );
     let three = answer(&table, 0.1, LoadSet::all(3));
     assert!(matches!(three, Err(SceneError::LoadsNotHeld { .. })));
@@ -289,10 +272,8 @@ fn a_table_of_part_of_the_balance_holds_that_part_alone() {
                 assert_eq!(held, block.is_in(set), "{block:?} of {set}");
             }
             if whole.set.holds(set) {
-                let [found, same] = [&part, &whole].map(|table| {
-                    let (mobility, swirl) = answer(table, eps, set).unwrap();
-                    mobility.named(read(set), &swirl)
-                });
+                let [found, same] =
+                    [&part, &whole].map(|table| answer(table, eps, set).unwrap().named(read(set)));
                 assert_eq!(
                     found, same,
                     "the same to the last bit whatever else is held"
