@@ -184,10 +184,10 @@ fn far_flight(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         let straight = run.start.positions()[k] + p * run.end_time;
         (run.end.positions()[k] - straight).norm() + run.deflections_rad()[k].abs()
     });
-    // Each mode has four coefficients that move or turn a squirmer.
+    // Slip moves a squirmer by at most 4/6 of it, along and across the line of centres; both are interpolated.
     let strength: f64 = squirmer.modes().iter().sum();
     let interpolated = model.table().map_or(0.0, |table| table.interpolation_error);
-    let tabulated = 4.0 * interpolated * strength;
+    let tabulated = 2.0 * interpolated * 4.0 * strength / 6.0;
     let apart = run.start.gap;
     let (discretised, why) = if model.method() == Method::Bem {
         let [one, two] =
