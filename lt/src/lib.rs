@@ -1,4 +1,5 @@
-//! Lubrication theory of two squirming spheres: the loads in closed form.
+//! Lubrication theory of two squirming spheres: the loads in closed form, of equal spheres ([`Lubrication`]) and of unlike ones
+//! ([`UnlikeLubrication`]).
 //!
 //! Isolated loads plus the parts that diverge at contact where `eps <= 1`, isolated loads beyond,
 //! after Darveniza, Ishikawa, Pedley & Brumley, *Pairwise scattering and bound states of spherical
@@ -14,6 +15,10 @@
 //! # Ok::<(), scene::SceneError>(())
 //! ```
 
+mod unlike;
+
+pub use unlike::UnlikeLubrication;
+
 use scene::mobility::{MobilitySet, ModeMobility, PairMobility};
 use scene::singular::{self, Singular};
 use scene::{
@@ -21,7 +26,10 @@ use scene::{
     Plan, Rates, Run, RunOptions, Sample, SceneError, SelfOther, SwirlLoads, balance,
 };
 
-/// Gap up to which the spheres interact, in sphere radii.
+/// Gap up to which the spheres interact, in radii of the smaller sphere.
+///
+/// Lubrication theory asks for a gap that is small against both spheres, so that the smaller one decides. The paper, whose formulas hold for
+/// unlike radii, cuts at `eps = 1` for equal ones.
 pub const CUTOFF: f64 = 1.0;
 
 /// Which coefficient the axial squirming force has.

@@ -171,7 +171,7 @@ fn two_passive_spheres_rest_whatever_the_model() {
     };
     let options = RunOptions::default();
     for (distance, outcome) in [(2.5, Outcome::Standoff), (4.0, Outcome::Undecided)] {
-        let by_none = run(&passive(distance), &Isolated, &options).unwrap();
+        let by_none = run(&passive(distance), &Isolated::EQUAL, &options).unwrap();
         let model = Lubrication::new(Form::Published);
         let by_lubrication = run(&passive(distance), &model, &options).unwrap();
         assert_eq!([by_none.outcome, by_lubrication.outcome], [outcome; 2]);

@@ -17,6 +17,10 @@
 //! No pivoting is needed. The equations
 //! follow from the definitions in [`crate::loads`] with `d -> -d` for sphere 2.
 
+mod of_each;
+
+pub use of_each::of_each;
+
 use crate::mobility::{
     Across, Mobility, MobilitySet, ModeMobility, PairMobility, SwirlMobility, Twist,
 };
@@ -189,54 +193,82 @@ pub fn solve_swirl_into(
 mod tests {
     use super::*;
     use crate::mobility::{External, Heading, pair_velocity};
-    use crate::{LoadSet, Squirmer, legendre};
+    use crate::{ActiveLoads, LoadSet, Squirmer, legendre};
     use approx::assert_relative_eq;
 
     /// Loads that no fluid has, all different.
-    fn made_up(set: LoadSet) -> PairLoads {
+    pub(super) fn made_up(set: LoadSet, seed: f64) -> PairLoads {
         let columns: Vec<f64> = (0..set.column_count())
-            .map(|k| 1.0 + 0.3 * (2.7 * k as f64).sin() + if k < 10 { 2.0 } else { 0.0 })
+            .map(|k| 1.0 + 0.3 * (seed * k as f64).sin() + if k < 10 { 2.0 } else { 0.0 })
             .collect();
         let mut loads = PairLoads::from_columns(set, set, &columns);
         loads.yb = SelfOther::new(-0.4, 0.1);
         loads
     }
 
-    /// Forces along x and y and torque along z on both spheres, per `pi mu`, by the definitions in [`crate::loads`] for one
-    /// sphere that moves or squirms, with the direction to the other one along `side` x.
-    fn exerted(
-        loads: &PairLoads,
+    /// Forces along x and y and torque along z on both spheres, per `pi mu`, by the definitions in [`crate::loads`] and
+    /// [`ActiveLoads`] for one sphere that moves or squirms, with the direction to the other one along `side` x.
+    pub(super) fn exerted(
+        (loads, a): (&ActiveLoads, f64),
         side: f64,
         ([ux, uy], spin): ([f64; 2], f64),
         squirmer: &Squirmer,
         heading: &Heading<f64>,
     ) -> [[f64; 3]; 2] {
-        let (along, about) = (side * ux, side * spin);
+        let (along, about) = (side * ux, side * spin * a);
+        let pair = &loads.pair;
         let of = |own: bool| {
             let pick = |s: SelfOther| if own { s.own() } else { s.other() };
-            let sign = if own { 1.0 } else { -1.0 };
-            let mut fd = -6.0 * pick(loads.xa) * along;
-            let mut ft = -6.0 * pick(loads.ya) * uy + 4.0 * pick(loads.yb) * about;
-            let mut t = sign * 4.0 * pick(loads.yb) * uy - 8.0 * pick(loads.yc) * about;
-            for ((n, order), mode) in legendre(heading.cosine).enumerate().zip(loads.modes()) {
+            let by_translation = if own {
+                pair.yb.own()
+            } else {
+                loads.torque_on_other
+            };
+            let mut fd = -6.0 * pick(pair.xa) * along;
+            let mut ft = -6.0 * pick(pair.ya) * uy + 4.0 * pick(pair.yb) * about;
+            let mut t = 4.0 * by_translation * uy - 8.0 * pick(pair.yc) * about;
+            for ((n, order), mode) in legendre(heading.cosine).enumerate().zip(pair.modes()) {
                 let b = squirmer.mode(n);
                 let across = b * order.w * heading.transverse;
                 fd += b * order.p * pick(mode.xf);
                 ft += across * pick(mode.yf);
                 t += across * pick(mode.yt);
             }
-            [side * fd, ft, side * t]
+            [side * fd * a, ft * a, side * t * a * a]
         };
         [of(true), of(false)]
     }
 
+    pub(super) const HEADINGS: [Heading<f64>; 2] = [
+        Heading {
+            cosine: 0.6,
+            transverse: 0.8,
+        },
+        Heading {
+            cosine: -0.28,
+            transverse: 0.96,
+        },
+    ];
+    pub(super) const REPULSION: f64 = 0.9;
+    pub(super) const TORQUE: [f64; 2] = [0.31, -1.7];
+
+    pub(super) fn squirmers() -> [Squirmer; 2] {
+        [[1.5, -2.0, 0.7], [0.4, 3.0, -1.1]].map(|b| Squirmer::new(&b).unwrap())
+    }
+
+    /// That what `by_one` and `by_two` exert on both spheres cancels repulsion and torques.
+    pub(super) fn assert_balanced(by_one: [[f64; 3]; 2], by_two: [[f64; 3]; 2]) {
+        let added = [[-REPULSION, 0.0, TORQUE[0]], [REPULSION, 0.0, TORQUE[1]]];
+        for i in 0..3 {
+            assert_relative_eq!(by_one[0][i] + by_two[1][i], -added[0][i], epsilon = 1e-12);
+            assert_relative_eq!(by_one[1][i] + by_two[0][i], -added[1][i], epsilon = 1e-12);
+        }
+    }
+
     #[test]
     fn val_forces_and_torques_on_each_sphere_cancel() {
-        let loads = made_up(LoadSet::planar(3));
-        let squirmers = [[1.5, -2.0, 0.7], [0.4, 3.0, -1.1]].map(|b| Squirmer::new(&b).unwrap());
-        let [one, two] =
-            [(0.6, 0.8), (-0.28, 0.96)].map(|(cosine, transverse)| Heading { cosine, transverse });
-        let (repulsion, torque) = (0.9, [0.31, -1.7]);
+        let loads = made_up(LoadSet::planar(3), 2.7);
+        let squirmers = squirmers();
         let set = MobilitySet {
             loads: loads.set(),
             torque: true,
@@ -244,10 +276,10 @@ mod tests {
         let gap = Gap::new(0.37).unwrap();
         let Mobility { pair, modes, .. } = solve(gap, &loads, set);
         let external = External {
-            repulsion,
-            torque: Some(torque),
+            repulsion: REPULSION,
+            torque: Some(TORQUE),
         };
-        let v = pair_velocity((&pair, &modes[..3]), &squirmers, &[one, two], &external);
+        let v = pair_velocity((&pair, &modes[..3]), &squirmers, &HEADINGS, &external);
         let motion = |side: f64, k: usize| {
             let (apart, around) = (v.opening * gap.eps(), v.turning * gap.distance());
             let u = [
@@ -256,12 +288,13 @@ mod tests {
             ];
             (u, v.spin[k])
         };
-        let by_one = exerted(&loads, 1.0, motion(1.0, 0), &squirmers[0], &one);
-        let by_two = exerted(&loads, -1.0, motion(-1.0, 1), &squirmers[1], &two);
-        for i in 0..3 {
-            let added = [[-repulsion, 0.0, torque[0]], [repulsion, 0.0, torque[1]]];
-            assert_relative_eq!(by_one[0][i] + by_two[1][i], -added[0][i], epsilon = 1e-12);
-            assert_relative_eq!(by_one[1][i] + by_two[0][i], -added[1][i], epsilon = 1e-12);
-        }
+        let [one, two] = HEADINGS;
+        let loads = (
+            &ActiveLoads::of_equal(loads, SwirlLoads::zero(set.loads)),
+            1.0,
+        );
+        let by_one = exerted(loads, 1.0, motion(1.0, 0), &squirmers[0], &one);
+        let by_two = exerted(loads, -1.0, motion(-1.0, 1), &squirmers[1], &two);
+        assert_balanced(by_one, by_two);
     }
 }

@@ -34,6 +34,32 @@ pub enum SceneError {
         /// The number.
         value: f64,
     },
+    /// A radius that no model answers for.
+    #[error(
+        "radius {radius:?} is not allowed: {smallest:?} to {largest:?} times that of the first squirmer"
+    )]
+    Radius {
+        /// The radius.
+        radius: f64,
+        /// Smallest allowed.
+        smallest: f64,
+        /// Largest allowed.
+        largest: f64,
+    },
+    /// A first squirmer whose radius is not the unit of length.
+    #[error("radius {radius:?} of the first squirmer is not allowed: it is the unit of length, 1")]
+    FirstRadius {
+        /// The radius.
+        radius: f64,
+    },
+    /// A model of a pair of other radii than the scene's.
+    #[error("a model for radii in the ratio {model:?} cannot answer for the ratio {asked:?}")]
+    OtherRatio {
+        /// Radius of sphere 2 over that of sphere 1 that the model is for.
+        model: f64,
+        /// The ratio asked for.
+        asked: f64,
+    },
     /// Centres so far apart that squares of their distance are no numbers.
     #[error("centres {distance:?} radii apart are not allowed: at most {allowed:?}")]
     TooFar {
@@ -43,7 +69,9 @@ pub enum SceneError {
         allowed: f64,
     },
     /// A distance of the centres at which the spheres would overlap or touch.
-    #[error("{what} {distance:?} is not allowed: it must be greater than 2 (radii)")]
+    #[error(
+        "{what} {distance:?} is not allowed: it must be greater than 2 (radii, of the larger squirmer)"
+    )]
     NotApart {
         /// What the distance is.
         what: &'static str,
@@ -173,7 +201,7 @@ mod tests {
             max_steps: 2,
             ..RunOptions::default()
         };
-        let error = run(&scene, &Isolated, &options).unwrap_err();
+        let error = run(&scene, &Isolated::EQUAL, &options).unwrap_err();
         let source = error.source().and_then(<dyn Error>::downcast_ref);
         let Some(cause @ OdeError::TooManySteps { steps: 2, .. }) = source else {
             panic!("{error:?}");

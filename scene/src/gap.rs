@@ -1,9 +1,9 @@
-//! The one number that all pair hydrodynamics depends on: `eps = |x2 - x1|/a - 2`.
+//! The one number that the hydrodynamics of a pair depends on: the gap between the surfaces.
 
 use crate::SceneError;
 use crate::elementary::exp;
 
-/// Dimensionless gap `eps = |x2 - x1|/a - 2 > 0` between the surfaces of two equal spheres.
+/// Dimensionless gap `eps = (|x2 - x1| - a_1 - a_2)/a_1 > 0` between the surfaces of two spheres.
 ///
 /// The gap is kept with its logarithm: motion carries `ln eps` as a variable of its own, so that
 /// spheres cannot overlap and no digit is lost near contact, and lubrication needs
@@ -24,7 +24,7 @@ pub struct Gap {
 }
 
 impl Gap {
-    /// The gap `eps`, in sphere radii.
+    /// The gap `eps`, in radii of sphere 1.
     ///
     /// # Errors
     /// [`SceneError::InvalidGap`] unless `eps` is positive and finite.
@@ -43,7 +43,7 @@ impl Gap {
         Self { eps: exp(ln), ln }
     }
 
-    /// `eps`, in sphere radii.
+    /// `eps`, in radii of sphere 1.
     #[inline]
     #[must_use]
     pub fn eps(self) -> f64 {
@@ -64,10 +64,17 @@ impl Gap {
         -self.ln
     }
 
-    /// Distance of the centres, `2 + eps`, in sphere radii.
+    /// Distance of the centres of equal spheres, `2 + eps`, in sphere radii.
     #[inline]
     #[must_use]
     pub fn distance(self) -> f64 {
         2.0 + self.eps
+    }
+
+    /// Distance of the centres of spheres whose radii are in the given `ratio`, `1 + ratio + eps`, in radii of sphere 1.
+    #[inline]
+    #[must_use]
+    pub fn distance_at_ratio(self, ratio: f64) -> f64 {
+        1.0 + ratio + self.eps
     }
 }

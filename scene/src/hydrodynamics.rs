@@ -2,10 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::mobility::{Mobility, MobilitySet, ModeMobility, PairMobility, SwirlMobilities};
-use crate::{Gap, LoadSet, PairLoads, SceneError, SwirlLoads, balance};
+use crate::mobility::{
+    Mobility, MobilityOfEach, MobilitySet, ModeMobility, PairMobility, SwirlMobilities,
+};
+use crate::{ActiveLoads, Gap, LoadSet, PairLoads, SceneError, SwirlLoads, balance};
 
-/// Gaps for which a model vouches, `smallest <= eps <= largest` (in sphere radii).
+/// Gaps for which a model vouches, `smallest <= eps <= largest` (in radii of sphere 1).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct GapRange {
     /// Smallest gap.
@@ -48,6 +50,8 @@ impl GapRange {
 /// What a model says of itself. There are no defaults: whatever wraps a model hands on all of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModelDescription<'a> {
+    /// Radius of sphere 2 over that of sphere 1: for no other pair does the model answer.
+    pub ratio: f64,
     /// Gaps for which the model answers.
     pub range: GapRange,
     /// Gap beyond which the spheres do not interact at all, if there is one: the cut of
@@ -65,10 +69,11 @@ pub struct ModelDescription<'a> {
 const ROUNDING_NOISE: f64 = 1e-13;
 
 impl ModelDescription<'_> {
-    /// A model that answers in a range of gaps, without a cut or seams, and with no more noise than rounding.
+    /// A model of equal spheres that answers in a range of gaps, without a cut or seams, and with no more noise than rounding.
     #[must_use]
     pub fn smooth(range: GapRange) -> Self {
         Self {
+            ratio: 1.0,
             range,
             cutoff: None,
             seams: &[],
@@ -77,7 +82,8 @@ impl ModelDescription<'_> {
     }
 }
 
-/// A hydrodynamic model of two equal spheres: gap in, loads out.
+/// A hydrodynamic model of two spheres of given radii: gap in, loads out. The spheres are equal unless [`ModelDescription::ratio`] says
+/// otherwise; of unlike ones the loads are those of sphere 1, and [`Self::interacting_loads_of_each`] has those of both.
 ///
 /// Orientation enters through closed-form angular factors (see [`crate::loads`]), so this is all
 /// that the force balance and everything after it need to know of the fluid.
@@ -112,7 +118,7 @@ pub trait Hydrodynamics: Send + Sync {
 
     /// Fills in the coefficients of `set` at `gap`, but for those by swirl, of spheres that interact, as
     /// [`Self::interacting_loads`] does the loads. There is room for all modes of the set. By default they follow from the loads by [`balance::solve_into`]; a model of
-    /// mobilities gives its own.
+    /// mobilities gives its own. Of unlike spheres there is [`Self::interacting_mobility_of_each`] instead.
     ///
     /// # Errors
     /// As [`Self::interacting_loads`].
@@ -123,6 +129,7 @@ pub trait Hydrodynamics: Send + Sync {
         set: MobilitySet,
         into: (&mut PairMobility, &mut [ModeMobility]),
     ) -> Result<(), SceneError> {
+        self.check_equal_radii()?;
         // Matched by reference: the loads are too large to be moved about.
         match &self.interacting_loads(gap, set.loads) {
             Ok(loads) => {
@@ -144,6 +151,7 @@ pub trait Hydrodynamics: Send + Sync {
         into: (&mut PairMobility, &mut [ModeMobility]),
         swirl: &mut SwirlMobilities,
     ) -> Result<(), SceneError> {
+        self.check_equal_radii()?;
         match &self.interacting_loads_with_swirl(gap, set.loads) {
             Ok((loads, of_swirl)) => {
                 balance::solve_into(gap, loads, set, into);
@@ -152,6 +160,77 @@ pub trait Hydrodynamics: Send + Sync {
             }
             Err(error) => Err(error.clone()),
         }
+    }
+
+    /// The loads of `set` at `gap`, those by swirl included, when one of the spheres moves or squirms and when the other does: what a pair of
+    /// unlike radii needs, of which all sums and differences are read. By default those of equal spheres.
+    ///
+    /// # Errors
+    /// As [`Self::interacting_loads`]; [`SceneError::OtherRatio`] if the radii are unlike and the model does not say what the loads of
+    /// each are.
+    fn interacting_loads_of_each(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<[ActiveLoads; 2], SceneError> {
+        if self.has_unlike_radii() {
+            return Err(SceneError::OtherRatio {
+                model: 1.0,
+                asked: self.description().ratio,
+            });
+        }
+        let (pair, swirl) = if set.swirl > 0 {
+            self.interacting_loads_with_swirl(gap, set)?
+        } else {
+            (self.interacting_loads(gap, set)?, SwirlLoads::zero(set))
+        };
+        Ok([ActiveLoads::of_equal(pair, swirl); 2])
+    }
+
+    /// The same: beyond the cut those of lone spheres.
+    ///
+    /// # Errors
+    /// As [`Self::interacting_loads_of_each`].
+    fn loads_of_each(&self, gap: Gap, set: LoadSet) -> Result<[ActiveLoads; 2], SceneError> {
+        if self.is_cut(gap) {
+            Ok([ActiveLoads::isolated(set.check()?); 2])
+        } else {
+            self.interacting_loads_of_each(gap, set)
+        }
+    }
+
+    /// How each cause of either squirmer moves the pair at `gap`, of spheres that interact: what motion reads where radii are unlike.
+    ///
+    /// # Errors
+    /// As [`Self::interacting_loads_of_each`].
+    fn interacting_mobility_of_each(
+        &self,
+        gap: Gap,
+        set: MobilitySet,
+    ) -> Result<MobilityOfEach, SceneError> {
+        let loads = self.interacting_loads_of_each(gap, set.loads)?;
+        Ok(balance::of_each(gap, self.description().ratio, &loads, set))
+    }
+
+    /// Refuses to take the loads of sphere 1 for those of both.
+    ///
+    /// # Errors
+    /// [`SceneError::OtherRatio`] of unlike spheres.
+    fn check_equal_radii(&self) -> Result<(), SceneError> {
+        if self.has_unlike_radii() {
+            return Err(SceneError::OtherRatio {
+                model: self.description().ratio,
+                asked: 1.0,
+            });
+        }
+        Ok(())
+    }
+
+    /// Whether the model is one of unlike spheres.
+    fn has_unlike_radii(&self) -> bool {
+        #[expect(clippy::float_cmp, reason = "equal means exactly equal")]
+        let unlike = self.description().ratio != 1.0;
+        unlike
     }
 
     /// The model's own estimate of its error at `gap`: the largest over all loads of the error

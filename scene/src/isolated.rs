@@ -1,18 +1,32 @@
 //! No hydrodynamic interaction: the loads of lone spheres at every gap.
 
 use crate::{
-    Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError, SwirlLoads,
+    ActiveLoads, Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError,
+    SwirlLoads,
 };
 
 /// Two spheres that do not feel each other through the fluid.
 ///
 /// ```
 /// use scene::{Gap, Hydrodynamics, Isolated, LoadSet, PairLoads};
-/// assert_eq!(Isolated.loads(Gap::new(1e-3)?, LoadSet::all(2))?, PairLoads::isolated(LoadSet::all(2)));
+/// assert_eq!(Isolated::EQUAL.loads(Gap::new(1e-3)?, LoadSet::all(2))?, PairLoads::isolated(LoadSet::all(2)));
 /// # Ok::<(), scene::SceneError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Isolated;
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Isolated {
+    ratio: f64,
+}
+
+impl Isolated {
+    /// Equal spheres.
+    pub const EQUAL: Self = Self::of_ratio(1.0);
+
+    /// Spheres whose radii are in the given ratio, that of sphere 2 over that of sphere 1.
+    #[must_use]
+    pub const fn of_ratio(ratio: f64) -> Self {
+        Self { ratio }
+    }
+}
 
 /// Lone spheres have loads at every gap.
 const RANGE: GapRange = GapRange::from(0.0);
@@ -20,6 +34,7 @@ const RANGE: GapRange = GapRange::from(0.0);
 impl Hydrodynamics for Isolated {
     fn description(&self) -> ModelDescription<'_> {
         ModelDescription {
+            ratio: self.ratio,
             // At no gap do they interact.
             cutoff: Some(0.0),
             ..ModelDescription::smooth(RANGE)
@@ -40,11 +55,25 @@ impl Hydrodynamics for Isolated {
         Ok((self.interacting_loads(gap, set)?, SwirlLoads::isolated(set)))
     }
 
+    fn interacting_loads_of_each(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<[ActiveLoads; 2], SceneError> {
+        RANGE.check(gap)?;
+        Ok([ActiveLoads::isolated(set.check()?); 2])
+    }
+
     fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
         self.interacting_loads(gap, set).map(|_| None)
     }
 
     fn fingerprint(&self) -> String {
-        "isolated".to_owned()
+        let ratio = self.ratio;
+        if self.has_unlike_radii() {
+            format!("isolated, radii 1 to {ratio:?}")
+        } else {
+            "isolated".to_owned()
+        }
     }
 }

@@ -9,6 +9,7 @@
 //! in [`loads`]. A name that ends in `_rad` holds radians (or radians per unit of time), one that ends in `_deg` degrees.
 //! Vectors are those of [`nalgebra`], which this crate hands on: `use scene::nalgebra::Vector3`.
 
+pub mod active_loads;
 pub mod balance;
 mod effects;
 pub mod elementary;
@@ -33,6 +34,7 @@ mod tabulated;
 /// The version of nalgebra whose vectors are in this crate's types.
 pub use nalgebra;
 
+pub use active_loads::{ActiveLoads, jeffrey_onishi};
 pub use effects::{Gravity, Repulsion};
 pub use error::{ModelFailure, SceneError};
 pub use frame::{Configuration, Rates};
@@ -43,8 +45,8 @@ pub use legendre::{Legendre, legendre};
 pub use load_set::{LoadSet, Parities};
 pub use loads::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
 pub use motion::{
-    BoundState, Counters, Outcome, Run, RunOptions, Sample, bound_states, rates, rates_monomorphic,
-    run, run_monomorphic, run_observed, run_plan,
+    BoundState, Counters, Outcome, Run, RunOptions, Sample, bound_states, far_drift, rates,
+    rates_monomorphic, run, run_monomorphic, run_observed, run_plan,
 };
 pub use plan::{NeededLoads, Plan, PlanRow, State, SymmetryClass};
 pub use scene::{Orientation, Pose, Scene};

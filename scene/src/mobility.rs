@@ -19,10 +19,12 @@
 //! a pair that is its own image reads half of the coefficients.
 
 mod coefficients;
+mod of_each;
 mod velocity;
 
 pub use coefficients::{Block, COEFFICIENTS, Coefficient};
 pub(crate) use coefficients::{FarScale, Of};
+pub use of_each::{MobilityOfEach, add_swirl_of_each, velocity_of_each};
 pub use velocity::{External, Heading, PairVelocity, Transverse, add_swirl, pair_velocity};
 pub(crate) use velocity::{Image, symmetric_velocity};
 

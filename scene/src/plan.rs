@@ -9,7 +9,7 @@ mod symmetry;
 pub use describe::{NeededLoads, PlanRow, SymmetryClass};
 
 use crate::frame::{Configuration, Plane, start};
-use crate::mobility::MobilitySet;
+use crate::mobility::{MobilityOfEach, MobilitySet};
 use crate::{Gravity, Hydrodynamics, LoadSet, Repulsion, Scene, SceneError, Squirmer};
 
 /// The variables in which the motion is integrated.
@@ -140,6 +140,28 @@ impl Plan {
         })
     }
 
+    /// Whether the squirmers have unlike radii, so that each has coefficients of its own.
+    #[must_use]
+    pub fn has_unlike_radii(&self) -> bool {
+        #[expect(clippy::float_cmp, reason = "equal means exactly equal")]
+        let unlike = self.scene.ratio() != 1.0;
+        unlike
+    }
+
+    /// Refuses a model of other radii.
+    pub(crate) fn check_ratio<H: Hydrodynamics + ?Sized>(
+        &self,
+        model: &H,
+    ) -> Result<(), SceneError> {
+        let (asked, model) = (self.scene.ratio(), model.description().ratio);
+        #[expect(clippy::float_cmp, reason = "a model is for one ratio, exactly")]
+        if asked == model {
+            Ok(())
+        } else {
+            Err(SceneError::OtherRatio { model, asked })
+        }
+    }
+
     /// The same without the use of symmetries: on the planar or the spatial state.
     #[must_use]
     pub fn without_symmetry(self) -> Self {
@@ -185,7 +207,8 @@ impl Plan {
     /// The same with one squirmer passive; the state is kept, whose symmetry that may break.
     #[must_use]
     pub fn without_squirming(mut self, k: usize) -> Self {
-        if let (Some(squirmer), Ok(passive)) = (self.scene.squirmers.get_mut(k), Squirmer::new(&[]))
+        if let Some(squirmer) = self.scene.squirmers.get_mut(k)
+            && let Ok(passive) = Squirmer::new(&[]).and_then(|s| s.with_radius(squirmer.radius()))
         {
             *squirmer = passive;
         }
@@ -303,6 +326,17 @@ impl Plan {
             twist: self.state == State::Spatial && (self.gravity.is_some() || self.swirl > 0),
             swirl: self.swirl,
             ..set
+        }
+    }
+
+    /// The number of coefficients that the motion reads: of unlike radii each squirmer has its own.
+    #[must_use]
+    pub fn mobility_count(&self) -> usize {
+        let set = self.mobility_set();
+        if self.has_unlike_radii() {
+            MobilityOfEach::default().named(set).len()
+        } else {
+            set.count()
         }
     }
 

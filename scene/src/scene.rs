@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use nalgebra::Vector3;
 
 use crate::effects::unit;
-use crate::squirmer::finite;
+use crate::squirmer::{finite, touching};
 use crate::{Gap, Gravity, Repulsion, SceneError, Squirmer};
 
 /// Largest distance of the centres along an axis, in radii: squares of it are still numbers.
@@ -57,7 +57,7 @@ impl Orientation {
 /// Where a squirmer starts and which way it points.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Centre, in sphere radii.
+    /// Centre, in radii of the first squirmer.
     pub position: Vector3<f64>,
     /// Swimming direction.
     pub orientation: Orientation,
@@ -106,14 +106,15 @@ impl Scene {
     /// Two squirmers at their initial poses, with the given effects.
     ///
     /// # Errors
-    /// [`SceneError`] if a number is not finite, an orientation has no direction or the spheres
-    /// overlap or touch.
+    /// [`SceneError`] if a number is not finite, an orientation has no direction, the spheres
+    /// overlap or touch, or the radius of the first is not 1.
     pub fn new(
         squirmers: [Squirmer; 2],
         start: [Pose; 2],
         repulsion: Option<Repulsion>,
         gravity: Option<Gravity>,
     ) -> Result<Self, SceneError> {
+        squirmers[0].check_first()?;
         for pose in &start {
             for &coordinate in pose.position.iter() {
                 finite("position", coordinate)?;
@@ -143,7 +144,13 @@ impl Scene {
                 allowed: FARTHEST,
             });
         }
-        Gap::new(separation.norm() - 2.0)
+        Gap::new(separation.norm() - touching(&self.squirmers))
+    }
+
+    /// Radius of the second squirmer over that of the first.
+    #[must_use]
+    pub fn ratio(&self) -> f64 {
+        self.squirmers[1].radius() / self.squirmers[0].radius()
     }
 
     /// Number of squirming modes of the two.

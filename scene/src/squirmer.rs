@@ -1,12 +1,12 @@
-//! A squirmer: a sphere of radius 1 with tangential surface slip.
+//! A squirmer: a sphere with tangential surface slip.
 
 use crate::{MAX_MODES, SceneError};
 
-/// A squirmer's slip modes, squirming and swirl, and bottom-heaviness.
+/// A squirmer's radius, slip modes, squirming and swirl, and bottom-heaviness.
 ///
 /// Slip velocity at the surface point with unit normal `n`, for orientation `p`, `c = p.n`:
 /// `u_s = sum_n B_n W_n(c) (c n - p) + C_n W_n(c) p x n` (Blake 1971; Pak & Lauga 2014). A lone
-/// squirmer swims at `V_s = 2 B_1/3` along `p` and spins at `-C_1` about it.
+/// squirmer swims at `V_s = 2 B_1/3` along `p` and spins at `-C_1` over its radius about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Squirmer {
     modes: [f64; MAX_MODES],
@@ -14,10 +14,17 @@ pub struct Squirmer {
     swirl: [f64; MAX_MODES],
     swirl_count: usize,
     bottom_heaviness: f64,
+    radius: f64,
+    /// Follows from the others.
+    gravity_torque: f64,
 }
 
+/// Radii of a second squirmer that are allowed, in those of the first.
+const SMALLEST_RADIUS: f64 = 0.01;
+const LARGEST_RADIUS: f64 = 100.0;
+
 impl Squirmer {
-    /// A squirmer with slip modes `B_1, B_2, …` (velocities), at most [`MAX_MODES`] of them.
+    /// A squirmer of radius 1 with slip modes `B_1, B_2, …` (velocities), at most [`MAX_MODES`] of them.
     ///
     /// Trailing zeros are dropped: a mode that is absent costs nothing.
     ///
@@ -31,6 +38,8 @@ impl Squirmer {
             swirl: [0.0; MAX_MODES],
             swirl_count: 0,
             bottom_heaviness: 0.0,
+            radius: 1.0,
+            gravity_torque: 0.0,
         })
     }
 
@@ -69,15 +78,39 @@ impl Squirmer {
         })
     }
 
-    /// The same squirmer with bottom-heaviness `G_bh = 4 pi rho g a h/(3 mu V_s)`.
+    /// The same squirmer with another radius, in radii of the first squirmer of a scene.
+    ///
+    /// # Errors
+    /// [`SceneError::Radius`] outside 0.01 to 100.
+    ///
+    /// ```
+    /// let cargo = scene::Squirmer::new(&[])?.with_radius(3.0)?;
+    /// assert_eq!(cargo.radius(), 3.0);
+    /// # Ok::<(), scene::SceneError>(())
+    /// ```
+    pub fn with_radius(self, radius: f64) -> Result<Self, SceneError> {
+        if (SMALLEST_RADIUS..=LARGEST_RADIUS).contains(&radius) {
+            Ok(Self { radius, ..self }.with_gravity_torque())
+        } else {
+            Err(SceneError::Radius {
+                radius,
+                smallest: SMALLEST_RADIUS,
+                largest: LARGEST_RADIUS,
+            })
+        }
+    }
+
+    /// The same squirmer with bottom-heaviness `G_bh = 4 pi rho g a h/(3 mu V_s)`, `a` its own radius.
     ///
     /// # Errors
     /// [`SceneError::NotFinite`] if it is not finite.
     pub fn bottom_heavy(self, g_bh: f64) -> Result<Self, SceneError> {
-        Ok(Self {
-            bottom_heaviness: finite("bottom-heaviness G_bh", g_bh)?,
+        let bottom_heaviness = finite("bottom-heaviness G_bh", g_bh)?;
+        let heavy = Self {
+            bottom_heaviness,
             ..self
-        })
+        };
+        Ok(heavy.with_gravity_torque())
     }
 
     /// Slip modes `B_1, B_2, …` up to the highest that is not zero.
@@ -107,6 +140,28 @@ impl Squirmer {
         self.modes[0] / 1.5
     }
 
+    /// Radius, in radii of the first squirmer of a scene, which has 1.
+    #[inline]
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Refuses to be the first squirmer of a scene, whose radius is the unit of length, with another radius than 1.
+    ///
+    /// # Errors
+    /// [`SceneError::FirstRadius`].
+    pub fn check_first(&self) -> Result<(), SceneError> {
+        #[expect(clippy::float_cmp, reason = "the unit is exactly one")]
+        if self.radius == 1.0 {
+            Ok(())
+        } else {
+            Err(SceneError::FirstRadius {
+                radius: self.radius,
+            })
+        }
+    }
+
     /// Bottom-heaviness `G_bh`.
     #[inline]
     #[must_use]
@@ -114,12 +169,27 @@ impl Squirmer {
         self.bottom_heaviness
     }
 
-    /// `V_s G_bh / pi`: the torque of gravity is this times `-p x g`, per `pi mu a^2`.
+    /// `V_s G_bh / pi` times the square of the radius: the torque of gravity is this times `-p x g`, per `pi mu a^2` with `a` the radius
+    /// of the first squirmer of a scene.
     #[inline]
     #[must_use]
     pub fn gravity_torque(&self) -> f64 {
-        self.swimming_speed() * self.bottom_heaviness / std::f64::consts::PI
+        self.gravity_torque
     }
+
+    fn with_gravity_torque(self) -> Self {
+        let per_area = self.swimming_speed() * self.bottom_heaviness / std::f64::consts::PI;
+        Self {
+            gravity_torque: per_area * (self.radius * self.radius),
+            ..self
+        }
+    }
+}
+
+/// Distance of the centres at which two spheres touch.
+#[inline]
+pub(crate) fn touching(squirmers: &[Squirmer; 2]) -> f64 {
+    squirmers[0].radius + squirmers[1].radius
 }
 
 /// Modes with zeros up to [`MAX_MODES`], and how many there are up to the last that is not zero.

@@ -94,7 +94,7 @@ fn positions_and_orientations_must_be_finite() {
 #[test]
 fn runs_must_have_a_positive_end_time_and_tolerance() {
     let scene = pair(-2.0, Orientation::Radians(0.4)).unwrap();
-    assert!(run(&scene, &Isolated, &RunOptions::default()).is_ok());
+    assert!(run(&scene, &Isolated::EQUAL, &RunOptions::default()).is_ok());
     for bad in NOT_POSITIVE {
         for options in [
             RunOptions {
@@ -106,7 +106,7 @@ fn runs_must_have_a_positive_end_time_and_tolerance() {
                 ..RunOptions::default()
             },
         ] {
-            let refused = run(&scene, &Isolated, &options);
+            let refused = run(&scene, &Isolated::EQUAL, &options);
             assert!(
                 matches!(refused, Err(SceneError::NotPositive { .. })),
                 "{options:?}: {refused:?}"

@@ -8,6 +8,8 @@ use crate::{Gap, Scene, SceneError};
 /// A state in the laboratory frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Configuration {
+    /// Radii of the two.
+    pub radii: [f64; 2],
     /// Gap between the surfaces.
     pub gap: Gap,
     /// Midpoint of the two centres, in sphere radii.
@@ -23,10 +25,22 @@ pub struct Configuration {
 }
 
 impl Configuration {
-    /// The two centres, in sphere radii.
+    /// Distance of the centres.
+    #[must_use]
+    pub fn distance(&self) -> f64 {
+        self.radii[0] + self.radii[1] + self.gap.eps()
+    }
+
+    /// The smaller radius: gaps up to it count as close.
+    pub(crate) fn smaller_radius(&self) -> f64 {
+        let [one, two] = self.radii;
+        one.min(two)
+    }
+
+    /// The two centres, in radii of the first squirmer.
     #[must_use]
     pub fn positions(&self) -> [Vector3<f64>; 2] {
-        let half = self.line * (0.5 * self.gap.distance());
+        let half = self.line * (0.5 * self.distance());
         [self.midpoint - half, self.midpoint + half]
     }
 }
@@ -66,6 +80,7 @@ pub(crate) fn start(scene: &Scene) -> Result<Configuration, SceneError> {
     let separation = two.position - one.position;
     let line = separation / separation.norm();
     Ok(Configuration {
+        radii: [0, 1].map(|k| scene.squirmers[k].radius()),
         gap: scene.gap()?,
         midpoint: (one.position + two.position) * 0.5,
         line,

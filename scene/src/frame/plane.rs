@@ -30,7 +30,7 @@ impl Plane {
     pub fn of(scene: &Scene, start: &Configuration, gravity: Option<Gravity>) -> Option<Self> {
         // Unit vectors are rounded to a bit or two, the line of centres as the positions are.
         let [one, two] = scene.start.map(|pose| pose.position.norm());
-        let rounding = 4.0 * f64::EPSILON * (1.0 + (one + two) / start.gap.distance());
+        let rounding = 4.0 * f64::EPSILON * (1.0 + (one + two) / start.distance());
         let line = start.line;
         let [first, second] = start.orientations;
         let gravity = gravity.map_or(line, |gravity| gravity.direction());
@@ -102,6 +102,7 @@ impl Plane {
         let line_angle_rad = angle(&c.line, c.line_angle_rad);
         let angles = [0, 1].map(|k| angle(&c.orientations[k], c.angles_rad[k]));
         Configuration {
+            radii: c.radii,
             gap: c.gap,
             midpoint: self.axes.tr_mul(&(c.midpoint - self.origin)),
             line: direction(line_angle_rad),
@@ -117,6 +118,7 @@ impl Plane {
         let line = self.axes * c.line;
         let orientations = c.orientations.map(|p| self.axes * p);
         Configuration {
+            radii: c.radii,
             gap: c.gap,
             midpoint: self.origin + self.axes * c.midpoint,
             line,
@@ -200,6 +202,7 @@ mod tests {
                 let winding = 0.37 * f64::from(i);
                 let angles = [winding - 0.4, 2.0 * PI - winding];
                 let inside = Configuration {
+                    radii: [1.0; 2],
                     gap: Gap::from_ln(-2.0),
                     midpoint: Vector3::new(0.3, -0.7, 0.0),
                     line: direction(winding),

@@ -198,13 +198,13 @@ impl Block {
 }
 
 impl FarScale {
-    /// What the coefficient is multiplied by at `gap`.
-    pub(crate) fn at(self, gap: Gap) -> f64 {
+    /// What the coefficient is multiplied by at `gap`, with the centres at `distance`.
+    pub(crate) fn at(self, gap: Gap, distance: f64) -> f64 {
         match self {
             Self::One => 1.0,
             Self::Gap => gap.eps(),
-            Self::Distance => gap.distance(),
-            Self::Faded => gap.distance().min(FADED),
+            Self::Distance => distance,
+            Self::Faded => distance.min(FADED),
         }
     }
 }

@@ -100,7 +100,7 @@ impl<T: Transverse> Motion<T> {
 /// let external = External { repulsion: 0.0, torque: None };
 /// let far = Gap::new(1e6)?;
 /// let set = MobilitySet { loads: LoadSet::planar(2), torque: false };
-/// let mobility = Isolated.mobility(far, set)?;
+/// let mobility = Isolated::EQUAL.mobility(far, set)?;
 /// let by = (&mobility.pair, &mobility.modes[..2]);
 /// let v = pair_velocity(by, &squirmers, &[ahead, ahead], &external);
 /// assert!((v.mean_axial - 0.5).abs() < 1e-15);

@@ -3,6 +3,7 @@
 use super::coordinates::{Axisymmetric, MirrorSymmetric, Planar, PointSymmetric, Spatial};
 use super::equations::{Absent, Dynamics, Effect, PairMotion, Present};
 use super::swirling::Swirl;
+use super::unlike::Unlike;
 use crate::{Gravity, Hydrodynamics, Plan, Repulsion, State};
 
 /// What is done with an equation of motion.
@@ -28,6 +29,9 @@ pub(super) fn dispatch<H: Hydrodynamics + ?Sized, T: Task>(
     task: T,
 ) -> T::Output {
     let start = &plan.start_in_frame();
+    if plan.has_unlike_radii() {
+        return of_unlike(plan, model, task);
+    }
     match plan.state() {
         State::Axisymmetric => with_repulsion(plan, model, task, Axisymmetric::new(start), Absent),
         State::PointSymmetric => {
@@ -46,6 +50,40 @@ pub(super) fn dispatch<H: Hydrodynamics + ?Sized, T: Task>(
         }
         State::Spatial => with_gravity(plan, model, task, Spatial { swirl: Absent }),
     }
+}
+
+/// The same for unlike radii, which no exchange symmetry goes with.
+fn of_unlike<H: Hydrodynamics + ?Sized, T: Task>(plan: &Plan, model: &H, task: T) -> T::Output {
+    let start = &plan.start_in_frame();
+    match plan.state() {
+        State::Axisymmetric => {
+            let coordinates = Unlike(Axisymmetric::new(start));
+            task.perform(plan, effects(plan, model, coordinates))
+        }
+        State::Spatial => {
+            let swirl = (plan.swirl() > 0).then_some(Swirl);
+            task.perform(plan, effects(plan, model, Unlike(Spatial { swirl })))
+        }
+        State::Planar | State::PointSymmetric | State::MirrorSymmetric => {
+            let z = start.midpoint.z;
+            task.perform(plan, effects(plan, model, Unlike(Planar { z })))
+        }
+    }
+}
+
+/// The equation of motion with effects that are known while it runs.
+fn effects<'a, H: ?Sized, C>(
+    plan: &Plan,
+    model: &'a H,
+    coordinates: C,
+) -> PairMotion<'a, H, C, Option<Repulsion>, Option<Gravity>> {
+    motion(
+        plan,
+        model,
+        coordinates,
+        plan.repulsion(),
+        plan.gravity_in_frame(),
+    )
 }
 
 fn with_gravity<H, C, T, const N: usize>(

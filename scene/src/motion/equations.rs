@@ -29,6 +29,14 @@ impl<T> Effect<T> for Absent {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Present<T>(pub T);
 
+/// An effect of which it is known while running whether the scene calls for it.
+impl<T: Copy> Effect<T> for Option<T> {
+    #[inline]
+    fn get(&self) -> Option<T> {
+        *self
+    }
+}
+
 impl<T: Copy> Effect<T> for Present<T> {
     #[inline]
     fn get(&self) -> Option<T> {
@@ -81,17 +89,27 @@ pub(crate) trait Dynamics<const N: usize>: Chart<N> + Copy {
     }
     /// Time derivative of the state for a velocity of the pair.
     fn derivative(&self, y: &[f64; N], velocity: &PairVelocity<Self::Across>) -> [f64; N];
-    /// What gravity adds to [`Self::derivative`]: spin about the line of centres. Nothing in a plane, to which
-    /// its torques are perpendicular.
-    #[inline]
-    fn add_axial_spin(
+    /// Torques of gravity about the line of centres, per `pi mu a^2`. None in a plane, to which its torques are perpendicular.
+    #[inline(always)]
+    fn axial_torques(
         &self,
         _y: &[f64; N],
-        _dy: &mut [f64; N],
-        _mobility: &PairMobility,
         _gravity: Gravity,
         _squirmers: &[Squirmer; 2],
-    ) {
+    ) -> Option<[f64; 2]> {
+        None
+    }
+    /// Adds spins about the line of centres to a derivative; they change nothing in a plane.
+    #[inline(always)]
+    fn add_axial_spin(&self, _y: &[f64; N], _dy: &mut [f64; N], _spins: [f64; 2]) {}
+    /// The transverse headings turned by a quarter about the line of centres, where swirl acts.
+    #[inline(always)]
+    fn turned(
+        &self,
+        _y: &[f64; N],
+        _headings: &[Heading<Self::Across>; 2],
+    ) -> Option<[Self::Across; 2]> {
+        None
     }
 }
 
@@ -232,6 +250,17 @@ impl<H: ?Sized, G: Effect<Gravity>> Instant<'_, H, G> {
         }
     }
 
+    /// Torques of gravity about the line of centres.
+    #[inline(always)]
+    pub fn axial_torques<C: Dynamics<N>, const N: usize>(
+        &self,
+        coordinates: &C,
+        y: &[f64; N],
+    ) -> Option<[f64; 2]> {
+        let gravity = self.gravity.get()?;
+        coordinates.axial_torques(y, gravity, self.squirmers)
+    }
+
     /// Loads of other than hydrodynamic origin.
     #[inline(always)]
     pub fn external<C: Dynamics<N>, const N: usize>(
@@ -269,8 +298,8 @@ where
     let read = &modes[..at.set.modes.min(M)];
     let velocity = C::velocity((&pair, read), at.squirmers, headings, &external);
     let mut dy = coordinates.derivative(y, &velocity);
-    if let Some(gravity) = at.gravity.get() {
-        coordinates.add_axial_spin(y, &mut dy, &pair, gravity, at.squirmers);
+    if let Some([t1, t2]) = at.axial_torques(coordinates, y) {
+        coordinates.add_axial_spin(y, &mut dy, pair.twist.spins(t1 + t2, t1 - t2));
     }
     Ok(dy)
 }

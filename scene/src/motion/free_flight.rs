@@ -40,9 +40,11 @@ impl PairFlight {
                 unwind(p.y.atan2(p.x), self.start.angles_rad[k])
             }
         };
+        let [a1, a2] = self.start.radii;
         Configuration {
-            // Rounding may bring the distance of a touching pair to 2 or below.
-            gap: Gap::from_ln((distance - 2.0).max(f64::MIN_POSITIVE).ln()),
+            radii: self.start.radii,
+            // Rounding may bring the distance of a touching pair to that of contact or below.
+            gap: Gap::from_ln((distance - (a1 + a2)).max(f64::MIN_POSITIVE).ln()),
             midpoint: (x1 + x2) * 0.5,
             line,
             orientations: [p1, p2],
@@ -212,6 +214,7 @@ mod tests {
         let meet = |dx: f64| {
             let flights = [flight(-0.5 * dx, 5.0, -1.0), flight(0.5 * dx, -5.0, 1.0)];
             let start = Configuration {
+                radii: [1.0; 2],
                 gap: Gap::from_ln(2.0),
                 midpoint: Vector3::zeros(),
                 line: Vector3::y(),
@@ -238,6 +241,7 @@ mod tests {
             Flight::new(&squirmer, Vector3::new(x, 0.0, 0.0), p, Some(Gravity::DOWN))
         });
         let start = Configuration {
+            radii: [1.0; 2],
             gap: Gap::from_ln(0.0),
             midpoint: Vector3::zeros(),
             line: Vector3::x(),

@@ -16,9 +16,11 @@ mod result;
 mod run;
 mod steady;
 mod swirling;
+mod unlike;
 mod watch;
 
 pub use bound::{BoundState, bound_states};
+pub use far_turn::far_drift;
 pub use outcome::Outcome;
 pub use rates::{rates, rates_monomorphic};
 pub use result::{Counters, Run, RunOptions, Sample};

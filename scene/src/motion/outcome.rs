@@ -123,7 +123,7 @@ pub(crate) fn judge_bound(
 ) -> Outcome {
     let turned = end.line_angle_rad - earlier.line_angle_rad;
     let drift = (end.midpoint - earlier.midpoint).norm();
-    if end.gap.eps() > 1.0 {
+    if end.gap.eps() > end.smaller_radius() {
         Outcome::Undecided
     } else if turned.abs() > ORBIT_ANGLE {
         if turned > 0.0 {
@@ -218,7 +218,7 @@ impl LineHistory {
 
     /// Takes in a further configuration; a pair that is not bound has no history.
     pub(crate) fn follow(history: Option<Self>, now: &Configuration) -> Option<Self> {
-        if now.gap.eps() > BOUND_GAP {
+        if now.gap.eps() > BOUND_GAP * now.smaller_radius() {
             return None;
         }
         let mut history = history.unwrap_or(Self::new(now.line_angle_rad));
@@ -286,10 +286,10 @@ pub(crate) fn judge_under_gravity(
     line: Option<&LineHistory>,
     righting: &Righting,
 ) -> Outcome {
-    let Some(line) = line.filter(|_| gap.most <= BOUND_GAP.ln()) else {
+    let Some(line) = line.filter(|_| gap.most <= (BOUND_GAP * end.smaller_radius()).ln()) else {
         return if righting.has_righted(end) {
             Outcome::Upward
-        } else if end.gap.eps() > 1.0 {
+        } else if end.gap.eps() > end.smaller_radius() {
             Outcome::Scattered
         } else {
             Outcome::Undecided
@@ -307,7 +307,7 @@ pub(crate) fn judge_under_gravity(
     if gap_oscillates || (turned > STILL && line.swings >= OSCILLATIONS) {
         return Outcome::Oscillating;
     }
-    if turned > STILL && end.gap.eps() <= 1.0 {
+    if turned > STILL && end.gap.eps() <= end.smaller_radius() {
         return Outcome::Undecided;
     }
     let down = righting.gravity.direction();
@@ -356,6 +356,7 @@ mod tests {
     #[test]
     fn only_gravity_that_turns_both_rights_a_pair() {
         let apart = Configuration {
+            radii: [1.0; 2],
             gap: crate::Gap::from_ln(5.0),
             midpoint: nalgebra::Vector3::zeros(),
             line: nalgebra::Vector3::x(),
@@ -376,6 +377,39 @@ mod tests {
         assert_eq!(judged([heavy; 2]), Outcome::Upward);
         assert_eq!(judged([heavy, swimmer]), Outcome::Scattered);
         assert_eq!(judged([passive, heavy]), Outcome::Scattered);
+    }
+
+    #[test]
+    fn what_counts_as_close_is_measured_by_the_smaller_squirmer() {
+        let at = |radius: f64, eps: f64| Configuration {
+            radii: [1.0, radius],
+            gap: crate::Gap::from_ln(eps.ln()),
+            midpoint: nalgebra::Vector3::zeros(),
+            line: nalgebra::Vector3::x(),
+            orientations: [nalgebra::Vector3::x(), -nalgebra::Vector3::x()],
+            line_angle_rad: 0.0,
+            angles_rad: [0.0; 2],
+        };
+        let judged = |radius: f64, eps: f64| {
+            let pair = at(radius, eps);
+            judge_bound(&pair, &pair, 10.0, 1.0)
+        };
+        for radius in [0.2, 1.0, 3.0] {
+            let smaller = f64::min(radius, 1.0);
+            assert_eq!(judged(radius, 0.9 * smaller), Outcome::Standoff);
+            assert_eq!(judged(radius, 1.1 * smaller), Outcome::Undecided);
+            let heavy = Squirmer::with_beta(1.0, 0.0)
+                .and_then(|s| s.bottom_heavy(-5.0))
+                .expect("a squirmer");
+            let righting = Righting::new(Gravity::DOWN, &[heavy; 2]);
+            let apart = |eps: f64| {
+                let pair = at(radius, eps);
+                let gaps = GapHistory::from(pair.gap.ln());
+                judge_under_gravity((&pair, &pair), 1.0, 1.0, &gaps, None, &righting)
+            };
+            assert_eq!(apart(1.1 * smaller), Outcome::Scattered);
+            assert_ne!(apart(0.9 * smaller), Outcome::Scattered);
+        }
     }
 
     #[test]

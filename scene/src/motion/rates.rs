@@ -35,6 +35,7 @@ pub fn rates_monomorphic<H: Hydrodynamics + ?Sized>(
     configuration: &Configuration,
     times: usize,
 ) -> Result<Rates, SceneError> {
+    plan.check_ratio(model)?;
     let within = plan.plane().map(|plane| plane.within(configuration));
     let task = Evaluation {
         configuration: within.as_ref().unwrap_or(configuration),

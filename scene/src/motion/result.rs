@@ -14,10 +14,10 @@ pub struct RunOptions {
     pub tolerance: f64,
     /// Time at which a run ends at the latest, in units of `a/V_s`.
     pub end_time: f64,
-    /// Distance of the centres, in radii, at which a receding pair has parted, where the model has
+    /// Distance of the centres, in radii of the larger squirmer, at which a receding pair has parted, where the model has
     /// no cut and gravity does not act.
     pub departure_distance: f64,
-    /// Distance of the centres, in radii, at which the angles of a pair are read that has parted without gravity: infinity,
+    /// Distance of the centres, in radii of the larger squirmer, at which the angles of a pair are read that has parted without gravity: infinity,
     /// or wherever it has parted if that is further out. The outcome and the end of the run do not depend on it.
     pub angles_at: f64,
     /// Time between recorded samples; none are recorded without it.
@@ -108,9 +108,9 @@ pub struct Run {
     pub truncation_rad: f64,
     /// Time at the end.
     pub end_time: f64,
-    /// Smallest gap on the way, in radii.
+    /// Smallest gap on the way, in radii of the first squirmer.
     pub min_gap: f64,
-    /// Time spent at gaps `eps <= 1`: the paper's duration of the interaction, tau.
+    /// Time spent at gaps up to the smaller radius: the paper's duration of the interaction, tau.
     pub contact_time: f64,
     /// What became of the pair.
     pub outcome: Outcome,

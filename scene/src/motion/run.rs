@@ -24,7 +24,7 @@ use crate::frame::Configuration;
 use crate::ode::{OdeError, Step, Stepper};
 use crate::{Gap, Gravity, Hydrodynamics, Plan, Repulsion, Scene, SceneError};
 
-/// Gap up to which the paper counts the time of an interaction.
+/// Gap up to which the paper counts the time of an interaction, in radii of the smaller squirmer.
 const CONTACT_GAP: f64 = 1.0;
 
 /// Alternations of flight and contact after which a run is given up.
@@ -82,6 +82,7 @@ pub fn run_monomorphic<H: Hydrodynamics + ?Sized>(
     observe: &mut dyn FnMut(&Sample),
 ) -> Result<Run, SceneError> {
     options.check()?;
+    plan.check_ratio(model)?;
     let Some(plane) = plan.plane() else {
         return dispatch(plan, model, Observed { options, observe });
     };
@@ -173,6 +174,8 @@ struct Runner<'a, 'b, const N: usize> {
     start: Configuration,
     t: f64,
     now: Configuration,
+    /// `ln eps` at the gap up to which the time of an interaction counts.
+    ln_contact: f64,
     min_gap: f64,
     contact_time: f64,
     counters: Counters,
@@ -189,6 +192,7 @@ impl<'a, 'b, const N: usize> Runner<'a, 'b, N> {
     ) -> Self {
         let start = motion.chart().restored(plan.start_in_frame());
         let righting = (motion.gravity()).map(|g| Righting::new(g, motion.squirmers()));
+        let ln_contact = (CONTACT_GAP * start.smaller_radius()).ln();
         Self {
             options: task.options,
             recorder: Recorder::new(task.options.sample_interval, task.observe),
@@ -199,6 +203,7 @@ impl<'a, 'b, const N: usize> Runner<'a, 'b, N> {
             start,
             t: 0.0,
             now: start,
+            ln_contact,
             min_gap: start.gap.eps(),
             contact_time: 0.0,
             counters: Counters::default(),
@@ -247,7 +252,7 @@ impl<'a, 'b, const N: usize> Runner<'a, 'b, N> {
         // Under gravity squirmers turn and may meet again: only time ends such a run.
         let departure = match self.motion.gravity() {
             Some(_) => None,
-            None => Some(Gap::new(self.options.departure_distance - 2.0)?),
+            None => Some(self.gap_at(self.options.departure_distance * self.larger_radius())?),
         };
         match self.integrate(departure)? {
             PhaseEnd::Parted => Ok(Outcome::Scattered),
@@ -351,7 +356,7 @@ impl<'a, 'b, const N: usize> Runner<'a, 'b, N> {
     fn settle(&mut self, step: &Step<N>, attempts: &mut Attempts) -> Option<Outcome> {
         let relative = self.motion.chart().relative();
         let relative = relative.filter(|_| self.motion.gravity().is_none())?;
-        if step.y1[self.ln_gap] > CONTACT_GAP.ln() {
+        if step.y1[self.ln_gap] > self.ln_contact {
             return None;
         }
         let last = (&step.y1, &step.dy1);
@@ -373,6 +378,18 @@ impl<'a, 'b, const N: usize> Runner<'a, 'b, N> {
         self.now = end;
         self.t = self.options.end_time;
         Some(judge_steady(&earlier, &end, left))
+    }
+
+    /// Radius of the larger squirmer.
+    fn larger_radius(&self) -> f64 {
+        let [one, two] = self.start.radii;
+        one.max(two)
+    }
+
+    /// The gap at a distance of the centres.
+    fn gap_at(&self, distance: f64) -> Result<Gap, SceneError> {
+        let [one, two] = self.start.radii;
+        Gap::new(distance - (one + two))
     }
 
     /// The stepper's error, or the model's that caused it.

@@ -3,7 +3,7 @@
 
 use nalgebra::Vector3;
 
-use super::coordinates::{Spatial, along_line, spin_about};
+use super::coordinates::{Spatial, along_line, quarter_turned, spin_about};
 use super::equations::{Dynamics as _, Effect, Instant};
 use crate::mobility::{Heading, Mobility, add_swirl, pair_velocity};
 use crate::{Gravity, Hydrodynamics, SceneError};
@@ -33,15 +33,15 @@ where
     let set = at.mobility_set();
     (at.model).interacting_mobility_with_swirl(at.gap, set, (pair, modes), swirl)?;
     let d = along_line(y);
-    let turned = [0, 1].map(|k| d.cross(&headings[k].transverse));
+    let turned = quarter_turned(&d, headings);
     let external = at.external(coordinates, y);
     let read = &modes[..at.set.modes];
     let mut velocity = pair_velocity((pair, read), at.squirmers, headings, &external);
     let spins = add_swirl(&mut velocity, swirl, at.squirmers, (headings, &turned));
     let mut dy = coordinates.derivative(y, &velocity);
     spin_about(&d, y, &mut dy, spins);
-    if let Some(gravity) = at.gravity.get() {
-        coordinates.add_axial_spin(y, &mut dy, pair, gravity, at.squirmers);
+    if let Some([t1, t2]) = at.axial_torques(coordinates, y) {
+        coordinates.add_axial_spin(y, &mut dy, pair.twist.spins(t1 + t2, t1 - t2));
     }
     Ok(dy)
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::{Plan, State};
-use crate::{Hydrodynamics, Parities};
+use crate::{ActiveLoads, Hydrodynamics, LoadSet, Parities};
 
 /// The loads that the equation of motion of a plan uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,6 +19,8 @@ pub struct NeededLoads {
     pub modes: usize,
     /// Highest swirl mode: all three loads of each.
     pub swirl: usize,
+    /// Whether the radii are unlike, so that each squirmer has loads of its own.
+    pub of_each: bool,
 }
 
 /// A symmetry class of the boundary-element system: what the pair's mirrors split it into.
@@ -26,18 +28,19 @@ pub struct NeededLoads {
 pub struct SymmetryClass {
     /// `axial`, `transverse` or `twist`.
     pub motion: &'static str,
-    /// Whether the second sphere does the mirror image of what the first does, or its opposite.
-    pub mirrored: bool,
+    /// Whether the second sphere does the mirror image of what the first does, or its opposite; none where radii are unlike, so that no
+    /// mirror makes one of the other.
+    pub mirrored: Option<bool>,
 }
 
 impl fmt::Display for SymmetryClass {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let swap = if self.mirrored {
-            "mirrored"
-        } else {
-            "opposite"
+        let swap = match self.mirrored {
+            Some(true) => " mirrored",
+            Some(false) => " opposite",
+            None => "",
         };
-        write!(f, "{} {swap}", self.motion)
+        write!(f, "{}{swap}", self.motion)
     }
 }
 
@@ -47,6 +50,9 @@ impl NeededLoads {
     pub fn names(&self) -> Vec<String> {
         // Opposed spins go with like translations: loads of torques have the other parity.
         let crossed = self.transverse.crossed();
+        if self.of_each {
+            return self.names_of_each();
+        }
         let marked = |own: String, other: String, of: Parities| match (of.sum, of.difference) {
             (true, true) => Some(format!("{own}, {other}")),
             (true, false) => Some(format!("{own} + {other}")),
@@ -78,6 +84,21 @@ impl NeededLoads {
         names
     }
 
+    /// The same where each squirmer has loads of its own, with the number of the loaded sphere and that of the active one.
+    fn names_of_each(&self) -> Vec<String> {
+        let set = LoadSet {
+            modes: self.modes,
+            axial: self.axial,
+            transverse: self.transverse,
+            twist: self.twist.any(),
+            swirl: self.swirl,
+        };
+        let of = |active: usize| ActiveLoads::isolated(set).named(active);
+        (of(1).into_iter().chain(of(2)))
+            .map(|(name, _)| name)
+            .collect()
+    }
+
     /// The symmetry classes of the boundary-element system in which these loads lie.
     #[must_use]
     pub fn symmetry_classes(&self) -> Vec<SymmetryClass> {
@@ -95,10 +116,12 @@ impl NeededLoads {
         for (motion, mirrored, opposite) in of {
             for (needed, mirrored) in [(mirrored, true), (opposite, false)] {
                 if needed {
+                    let mirrored = (!self.of_each).then_some(mirrored);
                     classes.push(SymmetryClass { motion, mirrored });
                 }
             }
         }
+        classes.dedup();
         classes
     }
 }
@@ -129,6 +152,7 @@ impl Plan {
             },
             modes: set.modes,
             swirl: set.swirl,
+            of_each: self.has_unlike_radii(),
         }
     }
 
@@ -233,6 +257,10 @@ impl Plan {
             }
         };
         let symmetry = match self.state {
+            State::Planar | State::Spatial if self.has_unlike_radii() => (
+                false,
+                "radii are unlike: each squirmer has loads of its own",
+            ),
             State::Axisymmetric => (true, "both orientations are along the line of centres"),
             State::PointSymmetric => (true, "identical squirmers with opposed orientations"),
             State::MirrorSymmetric => (true, "identical squirmers, images in a mirror between"),

@@ -39,6 +39,8 @@ pub(super) struct Interval {
     pub low: f64,
     pub high: f64,
     pub far: bool,
+    /// Distance of the centres at contact.
+    pub touching: f64,
 }
 
 /// Width of parts that nearly all columns take, in `ln eps` and in `1/r`, and their highest number. Those that would do with wider
@@ -61,7 +63,7 @@ impl Interval {
         let margin = 1e-12 * (self.high - self.low);
         let x = x.clamp(self.low + margin, self.high - margin);
         if self.far {
-            Gap::new((1.0 / x - 2.0).min(INFINITE_GAP))
+            Gap::new((1.0 / x - self.touching).min(INFINITE_GAP))
         } else {
             Ok(Gap::from_ln(x))
         }
@@ -73,6 +75,8 @@ impl Interval {
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
     pub range: GapRange,
+    /// Gap at which the coordinate changes.
+    pub far_gap: f64,
     pub stretches: Vec<Interval>,
 }
 
@@ -91,34 +95,45 @@ impl Layout {
             range: answers,
             cutoff,
             seams,
+            ratio,
             ..
         } = model.description();
+        let far_gap = FAR_GAP * ratio.max(1.0);
         let smallest = options.smallest_gap.max(answers.smallest);
         // Spheres that no longer interact have no mobility far apart that anybody reads.
         let beyond_cut = cutoff.filter(|&cut| cut > smallest);
         let range = GapRange {
             smallest,
-            largest: beyond_cut.map_or(answers.largest, |cut| (2.0 * cut).max(FAR_GAP)),
+            largest: beyond_cut.map_or(answers.largest, |cut| (2.0 * cut).max(far_gap)),
         };
-        let stretches = stretches(range, seams)?;
-        Ok(Self { range, stretches })
+        let stretches = stretches(range, seams, (far_gap, ratio))?;
+        Ok(Self {
+            range,
+            far_gap,
+            stretches,
+        })
     }
 }
 
 /// The stretches between the ends of the range and the seams in between.
-fn stretches(range: GapRange, seams: &[f64]) -> Result<Vec<Interval>, SceneError> {
-    let split = FAR_GAP.ln();
+fn stretches(
+    range: GapRange,
+    seams: &[f64],
+    (far_gap, ratio): (f64, f64),
+) -> Result<Vec<Interval>, SceneError> {
+    let split = far_gap.ln();
     let largest = Gap::new(range.largest.min(INFINITE_GAP))?;
     let smallest = range.smallest.max(f64::MIN_POSITIVE).ln();
     let mut near = vec![smallest, split];
     let doubled = std::iter::successors(Some(LOG_STRETCHES_FROM), |end| Some(2.0 * end));
     near.extend(doubled.take_while(|end| *end > smallest));
     let farthest = if range.largest.is_finite() {
-        1.0 / largest.distance()
+        1.0 / largest.distance_at_ratio(ratio)
     } else {
         0.0
     };
-    let begins = 1.0 / (2.0 + FAR_GAP);
+    let touching = 1.0 + ratio;
+    let begins = 1.0 / (touching + far_gap);
     let mut far = if farthest < begins {
         vec![farthest, begins]
     } else {
@@ -129,7 +144,7 @@ fn stretches(range: GapRange, seams: &[f64]) -> Result<Vec<Interval>, SceneError
         if seam.ln() > near[0] && seam.ln() < split {
             near.push(seam.ln());
         } else if seam.ln() > split && seam.eps() < largest.eps() {
-            far.push(1.0 / seam.distance());
+            far.push(1.0 / seam.distance_at_ratio(ratio));
         }
     }
     let mut all = Vec::new();
@@ -139,6 +154,7 @@ fn stretches(range: GapRange, seams: &[f64]) -> Result<Vec<Interval>, SceneError
             low: ends[0],
             high: ends[1],
             far,
+            touching,
         }));
     }
     Ok(all)
@@ -199,7 +215,7 @@ impl Tabulated {
         let tally = Tally::new(progress);
         let tabulations = tabulate(
             model.as_ref(),
-            &Group::of(options.set),
+            &Group::of(options.set, model.has_unlike_radii()),
             &options,
             &layout,
             &tally,

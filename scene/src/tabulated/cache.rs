@@ -56,7 +56,7 @@ impl Tabulated {
             (path, key)
         };
         let (mut all, mut missing) = (Vec::new(), Vec::new());
-        for group in Group::of(options.set) {
+        for group in Group::of(options.set, model.has_unlike_radii()) {
             let (path, key) = place(group);
             let kept = load(&path, &key);
             match kept.filter(|kept| kept.stretches.len() == layout.stretches.len()) {

@@ -19,14 +19,43 @@ pub(super) enum Group {
     Mode(usize),
     /// A swirl mode, counted from 1.
     Swirl(usize),
+    /// Of unlike radii, for the causes of each squirmer: all along `d`, all across it, and all about it, with the modes 1 and 2.
+    AxialOfEach,
+    AcrossOfEach,
+    AboutOfEach,
+    /// A higher squirming mode of each.
+    ModeOfEach(usize),
+    /// A swirl mode of each.
+    SwirlOfEach(usize),
 }
 
 /// A column: a kind of coefficient, and the mode, counted from 0, where it has one.
 type Column = (&'static Coefficient, usize);
 
+/// A column of unlike radii.
+enum ColumnOfEach {
+    /// By a cause of one of the squirmers.
+    By(usize, Column),
+    /// Mean axial velocity by repulsion, which equal spheres do not have.
+    MeanAxialByRepulsion,
+}
+
 impl Group {
-    /// The groups that a set of loads calls for.
-    pub fn of(set: LoadSet) -> Vec<Self> {
+    /// The groups that a set of loads calls for, of `unlike` radii or equal ones.
+    pub fn of(set: LoadSet, unlike: bool) -> Vec<Self> {
+        if unlike {
+            let blocks = [
+                (set.axial.any(), Self::AxialOfEach),
+                (set.transverse.any(), Self::AcrossOfEach),
+                (set.twist, Self::AboutOfEach),
+            ];
+            let modes = BASE_MODES + 1..=set.modes;
+            return (blocks.into_iter().filter(|(held, _)| *held))
+                .map(|(_, group)| group)
+                .chain(modes.map(Self::ModeOfEach))
+                .chain((1..=set.swirl).map(Self::SwirlOfEach))
+                .collect();
+        }
         let blocks = Block::ALL.into_iter().filter(|block| block.is_in(set));
         let modes = BASE_MODES + 1..=set.modes;
         (blocks.map(Self::Block))
@@ -39,45 +68,105 @@ impl Group {
     fn loads(self) -> LoadSet {
         match self {
             Self::Block(block) => block.loads(BASE_MODES),
-            Self::Mode(n) => LoadSet::planar(n),
-            Self::Swirl(n) => LoadSet {
+            Self::AxialOfEach => LoadSet::axial(BASE_MODES),
+            Self::AcrossOfEach => LoadSet {
+                axial: crate::Parities::NONE,
+                ..LoadSet::planar(BASE_MODES)
+            },
+            Self::AboutOfEach => Block::Twist.loads(BASE_MODES),
+            Self::Mode(n) | Self::ModeOfEach(n) => LoadSet::planar(n),
+            Self::Swirl(n) | Self::SwirlOfEach(n) => LoadSet {
                 axial: crate::Parities::NONE,
                 ..LoadSet::all(0).with_swirl(n)
             },
         }
     }
 
-    /// Its columns, in the order in which a look-up reads them: mode by mode, then those by torque or repulsion.
-    pub fn columns(self) -> Vec<Column> {
-        let of_modes =
-            |kind: fn(&Of) -> bool, modes: std::ops::Range<usize>, block: Option<Block>| {
-                modes.flat_map(move |n| {
-                    (COEFFICIENTS.iter())
-                        .filter(move |c| kind(&c.of) && block.is_none_or(|block| c.block == block))
-                        .map(move |c| (c, n))
-                })
+    /// Its columns, in the order in which a look-up reads them: mode by mode, then those by torque or repulsion; of unlike radii for the
+    /// causes of one squirmer alone.
+    fn columns(self) -> Vec<Column> {
+        let of_modes = |kind: fn(&Of) -> bool, modes: std::ops::Range<usize>, blocks: &[Block]| {
+            let of_mode = |n: usize| {
+                (COEFFICIENTS.iter())
+                    .filter(|c| kind(&c.of) && blocks.contains(&c.block))
+                    .map(move |c| (c, n))
+                    .collect::<Vec<_>>()
             };
-        let slip = |of: &Of| matches!(of, Of::Mode(_));
-        let swirl = |of: &Of| matches!(of, Of::Swirl(_));
-        let pair = |of: &Of| matches!(of, Of::Pair(_) | Of::Torque(_));
+            modes.flat_map(of_mode).collect::<Vec<_>>()
+        };
+        let of_blocks = |blocks: &[Block]| {
+            let mut columns = of_modes(slip, 0..BASE_MODES, blocks);
+            columns.extend(of_modes(pair, 0..1, blocks));
+            columns
+        };
         match self {
-            Self::Block(block) => of_modes(slip, 0..BASE_MODES, Some(block))
-                .chain(of_modes(pair, 0..1, Some(block)))
-                .collect(),
-            Self::Mode(n) => of_modes(slip, n - 1..n, None).collect(),
-            Self::Swirl(n) => of_modes(swirl, n - 1..n, None).collect(),
+            Self::Block(block) => of_blocks(&[block]),
+            Self::Mode(n) | Self::ModeOfEach(n) => of_modes(slip, n - 1..n, &Block::ALL),
+            Self::Swirl(n) | Self::SwirlOfEach(n) => of_modes(swirl, n - 1..n, &Block::ALL),
+            Self::AxialOfEach => of_modes(slip, 0..BASE_MODES, &[Block::Opening, Block::MeanAxial]),
+            Self::AcrossOfEach => {
+                let across = [Block::Turning, Block::MeanTransverse];
+                of_modes(slip, 0..BASE_MODES, &across)
+            }
+            Self::AboutOfEach => of_modes(pair, 0..1, &[Block::Twist]),
         }
+    }
+
+    /// The columns of a group of unlike radii: by the causes of squirmer 1, by those of squirmer 2, then those by torque or repulsion.
+    fn columns_of_each(self) -> Vec<ColumnOfEach> {
+        let of_both = |columns: &[Column]| {
+            [0, 1].map(|k| {
+                columns
+                    .iter()
+                    .map(move |&column| ColumnOfEach::By(k, column))
+                    .collect()
+            })
+        };
+        let mut columns: Vec<ColumnOfEach> = of_both(&self.columns())
+            .into_iter()
+            .flat_map(|by: Vec<_>| by)
+            .collect();
+        let of_pair = |blocks: &[Block]| -> Vec<Column> {
+            (COEFFICIENTS.iter())
+                .filter(|c| pair(&c.of) && blocks.contains(&c.block))
+                .map(|c| (c, 0))
+                .collect()
+        };
+        match self {
+            Self::AxialOfEach => {
+                let repulsion = of_pair(&[Block::Opening]);
+                columns.extend(
+                    repulsion
+                        .into_iter()
+                        .map(|column| ColumnOfEach::By(0, column)),
+                );
+                columns.push(ColumnOfEach::MeanAxialByRepulsion);
+            }
+            Self::AcrossOfEach => {
+                let torque = of_pair(&[Block::Turning, Block::MeanTransverse]);
+                columns.extend(of_both(&torque).into_iter().flat_map(|by: Vec<_>| by));
+            }
+            _ => {}
+        }
+        columns
     }
 
     /// The groups for which a model is asked at once, because their loads are those of the same modes. What else is asked for
     /// changes no load.
     pub fn batches(groups: &[Self]) -> Vec<Vec<Self>> {
-        let (blocks, others): (Vec<_>, Vec<_>) =
-            (groups.iter()).partition(|group| matches!(group, Self::Block(_)));
+        let (blocks, others): (Vec<_>, Vec<_>) = (groups.iter()).partition(|group| group.is_base());
         let alone = others.into_iter().map(|group| vec![group]);
         (std::iter::once(blocks).chain(alone))
             .filter(|batch| !batch.is_empty())
             .collect()
+    }
+
+    /// Whether it holds the modes that nearly all scenes have.
+    fn is_base(&self) -> bool {
+        matches!(
+            self,
+            Self::Block(_) | Self::AxialOfEach | Self::AcrossOfEach | Self::AboutOfEach
+        )
     }
 
     /// The values of the columns of each group of a batch, of a model at `gap`; with `far` times what keeps them bounded as the two
@@ -93,12 +182,47 @@ impl Group {
             loads: loads.reduce(LoadSet::union).unwrap_or(LoadSet::axial(0)),
             torque: true,
         };
+        if model.has_unlike_radii() {
+            return Self::values_of_each(batch, model, (gap, far), set);
+        }
         let mobility = model.interacting_mobilities(gap, set)?;
         let value = |(coefficient, n): Column| {
             let scale = if far { coefficient.far } else { FarScale::One };
-            coefficient.value(n, &mobility) * scale.at(gap)
+            coefficient.value(n, &mobility) * scale.at(gap, gap.distance())
         };
         let of_group = |group: &Self| group.columns().into_iter().map(value).collect();
         Ok(batch.iter().map(of_group).collect())
     }
+
+    /// The same of unlike radii.
+    fn values_of_each(
+        batch: &[Self],
+        model: &dyn Hydrodynamics,
+        (gap, far): (Gap, bool),
+        set: MobilitySet,
+    ) -> Result<Vec<Vec<f64>>, SceneError> {
+        let mobility = model.interacting_mobility_of_each(gap, set)?;
+        let distance = gap.distance_at_ratio(model.description().ratio);
+        let value = |column: ColumnOfEach| match column {
+            ColumnOfEach::By(k, (coefficient, n)) => {
+                let scale = if far { coefficient.far } else { FarScale::One };
+                coefficient.value(n, &mobility.by[k]) * scale.at(gap, distance)
+            }
+            ColumnOfEach::MeanAxialByRepulsion => mobility.mean_axial_by_repulsion,
+        };
+        let of_group = |group: &Self| group.columns_of_each().into_iter().map(value).collect();
+        Ok(batch.iter().map(of_group).collect())
+    }
+}
+
+fn slip(of: &Of) -> bool {
+    matches!(of, Of::Mode(_))
+}
+
+fn swirl(of: &Of) -> bool {
+    matches!(of, Of::Swirl(_))
+}
+
+fn pair(of: &Of) -> bool {
+    matches!(of, Of::Pair(_) | Of::Torque(_))
 }

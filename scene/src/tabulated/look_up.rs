@@ -1,5 +1,9 @@
 //! Tabulated columns as they are read.
 
+mod of_each;
+
+pub(super) use of_each::{ColumnsOfEach, shrink_of_each};
+
 use super::build::Tabulation;
 use super::columns::{BASE_MODES, Group};
 use super::parts::{Parts, Place};
@@ -28,7 +32,7 @@ pub(super) struct Columns {
 }
 
 impl Columns {
-    /// Lays out a tabulation for look-ups; one that does not fit is left out. `usual` are the numbers of parts that most columns have.
+    /// Lays out a tabulation for look-ups; one that does not fit, or is of unlike radii, is left out. `usual` are the numbers of parts that most columns have.
     pub fn take(&mut self, group: Group, tabulation: &Tabulation, usual: &[u32]) {
         fn laid_out<const PAIRS: usize>(of: &Tabulation, usual: &[u32]) -> Parts<PAIRS> {
             Parts::new(&of.stretches, usual).unwrap_or_default()
@@ -47,6 +51,7 @@ impl Columns {
             Group::Block(Block::Twist) => self.twist = laid_out(tabulation, usual),
             Group::Mode(n) => put(&mut self.modes, n - BASE_MODES - 1),
             Group::Swirl(n) => put(&mut self.swirl, n - 1),
+            _ => {}
         }
     }
 
@@ -163,9 +168,9 @@ fn across([mean_transverse, counter_spin]: [f64; 2], [turning, mean_spin]: [f64;
     }
 }
 
-/// From what is tabulated far apart to the coefficients: by [`FarScale`](crate::mobility::FarScale).
-pub(super) fn shrink(gap: Gap, pair: &mut PairMobility, modes: &mut [ModeMobility]) {
-    let (by_gap, by_distance) = (1.0 / gap.eps(), 1.0 / gap.distance());
+/// From what is tabulated far apart, with the centres at `distance`, to the coefficients: by [`FarScale`](crate::mobility::FarScale).
+pub(super) fn shrink(gap: Gap, distance: f64, pair: &mut PairMobility, modes: &mut [ModeMobility]) {
+    let (by_gap, by_distance) = (1.0 / gap.eps(), 1.0 / distance);
     pair.repulsion *= by_gap;
     pair.torque.turning *= by_distance;
     for mode in modes {

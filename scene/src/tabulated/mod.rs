@@ -29,12 +29,14 @@ use serde::{Deserialize, Serialize};
 
 use self::build::{Layout, Tabulation, limit};
 use self::columns::{BASE_MODES, Group};
-use self::look_up::{Columns, shrink};
+use self::look_up::{Columns, ColumnsOfEach, shrink, shrink_of_each};
 use self::parts::Place;
-use crate::mobility::{MobilitySet, ModeMobility, PairMobility, SwirlMobilities};
-use crate::{Gap, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError, SwirlLoads};
+use crate::mobility::{MobilityOfEach, MobilitySet, ModeMobility, PairMobility, SwirlMobilities};
+use crate::{
+    ActiveLoads, Gap, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError, SwirlLoads,
+};
 
-/// Gap at which the table changes from `ln eps` to `1/r`, in radii.
+/// Gap at which the table changes from `ln eps` to `1/r`, in radii of the larger sphere.
 pub const FAR_GAP: f64 = 2.0;
 
 /// What a table's interpolation error was brought down to.
@@ -71,6 +73,12 @@ pub struct Tabulated {
     near: Vec<Span>,
     far: Vec<Span>,
     columns: Columns,
+    /// Those of unlike radii, where they are.
+    of_each: ColumnsOfEach,
+    /// Radius of sphere 2 over that of sphere 1.
+    ratio: f64,
+    /// Gap at which the coordinate of unlike radii changes.
+    far_gap: f64,
     summary: TableSummary,
 }
 
@@ -113,9 +121,10 @@ impl Tabulated {
         let usual: Vec<u32> = (layout.stretches.iter())
             .map(|stretch| 1 << stretch.least_parts())
             .collect();
-        let mut columns = Columns::default();
+        let (mut columns, mut of_each) = (Columns::default(), ColumnsOfEach::default());
         for (group, tabulation) in &tabulations {
             columns.take(*group, tabulation, &usual);
+            of_each.take(*group, tabulation, &usual);
         }
         let (mut near, mut far, mut first) = (Vec::new(), Vec::new(), 0);
         for (index, (stretch, &count)) in layout.stretches.iter().zip(&usual).enumerate() {
@@ -135,6 +144,8 @@ impl Tabulated {
         // Rounding of exp(ln(eps)) must not leave out the ends themselves.
         let slack = 1e-12;
         Ok(Self {
+            ratio: model.description().ratio,
+            far_gap: layout.far_gap,
             model,
             set: LoadSet {
                 modes: options.set.modes.max(BASE_MODES),
@@ -147,6 +158,7 @@ impl Tabulated {
             near,
             far,
             columns,
+            of_each,
             summary,
         })
     }
@@ -166,16 +178,16 @@ impl Tabulated {
         self.summary
     }
 
-    /// Where `gap` lies, which may be `far`; none outside the table, where the model has to answer or refuse.
+    /// Where `gap` lies, which may be `far`, with the centres at `distance`; none outside the table, where the model has to answer or refuse.
     #[inline(always)]
-    fn place(&self, gap: Gap, far: bool) -> Option<Place> {
+    fn place(&self, gap: Gap, far: bool, distance: f64) -> Option<Place> {
         let x = gap.ln();
         // Not NaN.
         if !(x >= self.ends[0] && x <= self.ends[1]) {
             return None;
         }
         let (spans, x) = if far {
-            (&self.far, 1.0 / gap.distance())
+            (&self.far, 1.0 / distance)
         } else {
             (&self.near, x)
         };
@@ -201,7 +213,7 @@ impl Tabulated {
             return Err(self.refused(set.loads));
         }
         if far {
-            shrink(gap, pair, modes);
+            shrink(gap, gap.distance(), pair, modes);
         }
         Ok(())
     }
@@ -261,7 +273,7 @@ impl Hydrodynamics for Tabulated {
         into: (&mut PairMobility, &mut [ModeMobility]),
     ) -> Result<(), SceneError> {
         let far = gap.eps() > FAR_GAP;
-        match self.place(gap, far) {
+        match self.place(gap, far, gap.distance()) {
             Some(place) => self.read(gap, (&place, far), set, into),
             None => self.beyond(gap, set, into),
         }
@@ -275,7 +287,7 @@ impl Hydrodynamics for Tabulated {
         swirl: &mut SwirlMobilities,
     ) -> Result<(), SceneError> {
         let far = gap.eps() > FAR_GAP;
-        let Some(place) = self.place(gap, far) else {
+        let Some(place) = self.place(gap, far, gap.distance()) else {
             let model = &self.model;
             return model.interacting_mobility_with_swirl(gap, set, into, swirl);
         };
@@ -290,6 +302,33 @@ impl Hydrodynamics for Tabulated {
         Ok(())
     }
 
+    /// The model's own.
+    fn interacting_loads_of_each(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<[ActiveLoads; 2], SceneError> {
+        self.model.interacting_loads_of_each(gap, set)
+    }
+
+    fn interacting_mobility_of_each(
+        &self,
+        gap: Gap,
+        set: MobilitySet,
+    ) -> Result<MobilityOfEach, SceneError> {
+        let far = gap.eps() > self.far_gap;
+        let distance = gap.distance_at_ratio(self.ratio);
+        let Some(place) = self.place(gap, far, distance) else {
+            return self.model.interacting_mobility_of_each(gap, set);
+        };
+        let mobility = self.of_each.read(&place, set);
+        let mut mobility = mobility.ok_or_else(|| self.refused(set.loads))?;
+        if far {
+            shrink_of_each(&mut mobility, set, gap, distance);
+        }
+        Ok(mobility)
+    }
+
     /// The model's own, of its loads.
     fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
         self.model.error_estimate(gap, set)
@@ -300,3 +339,5 @@ impl Hydrodynamics for Tabulated {
 mod kept_tests;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod unlike_tests;

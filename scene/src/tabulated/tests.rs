@@ -15,6 +15,7 @@ pub(super) struct Made {
 impl Hydrodynamics for Made {
     fn description(&self) -> ModelDescription<'_> {
         ModelDescription {
+            ratio: 1.0,
             range: GapRange::from(1e-3),
             cutoff: None,
             seams: self.seam.as_slice(),

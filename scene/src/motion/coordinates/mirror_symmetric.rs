@@ -58,9 +58,10 @@ impl Chart<3> for MirrorSymmetric {
         [along, c.gap.ln(), c.angles_rad[0] - self.line_angle_rad]
     }
 
-    fn decode(&self, y: &[f64; 3], _previous: &Configuration) -> Configuration {
+    fn decode(&self, y: &[f64; 3], previous: &Configuration) -> Configuration {
         let angle = self.line_angle_rad + y[2];
         self.restored(Configuration {
+            radii: previous.radii,
             gap: Gap::from_ln(y[1]),
             midpoint: self.midpoint + across(self.line) * y[0],
             line: self.line,

@@ -43,10 +43,11 @@ impl Chart<6> for Planar {
         [c.midpoint.x, c.midpoint.y, theta, c.gap.ln(), a1, a2]
     }
 
-    fn decode(&self, y: &[f64; 6], _previous: &Configuration) -> Configuration {
+    fn decode(&self, y: &[f64; 6], previous: &Configuration) -> Configuration {
         let [x, y0, theta, ln_gap, a1, a2] = *y;
         let angles = [theta + a1, theta + PI + a2];
         Configuration {
+            radii: previous.radii,
             gap: Gap::from_ln(ln_gap),
             midpoint: Vector3::new(x, y0, self.z),
             line: direction(theta),

@@ -57,9 +57,10 @@ impl Chart<3> for PointSymmetric {
         ]
     }
 
-    fn decode(&self, y: &[f64; 3], _previous: &Configuration) -> Configuration {
+    fn decode(&self, y: &[f64; 3], previous: &Configuration) -> Configuration {
         let [theta, ln_gap, alpha] = *y;
         self.restored(Configuration {
+            radii: previous.radii,
             gap: Gap::from_ln(ln_gap),
             midpoint: self.midpoint,
             line: direction(theta),

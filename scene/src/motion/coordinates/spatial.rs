@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::frame::{Configuration, Rates, unwind};
-use crate::mobility::{Heading, PairMobility, PairVelocity};
+use crate::mobility::{Heading, PairVelocity};
 use crate::motion::chart::Chart;
 use crate::motion::equations::{self, Dynamics, Effect, Instant};
 use crate::motion::steady::Relative;
@@ -72,6 +72,7 @@ impl<W: Effect<Swirl>> Chart<13> for Spatial<W> {
         let line = vector(y, LINE).normalize();
         let orientations = ORIENTATION.map(|at| vector(y, at).normalize());
         Configuration {
+            radii: previous.radii,
             gap: Gap::from_ln(y[SPATIAL_LN_GAP]),
             midpoint: vector(y, MIDPOINT),
             line,
@@ -176,18 +177,39 @@ impl<W: Effect<Swirl>> Dynamics<13> for Spatial<W> {
     }
 
     #[inline]
-    fn add_axial_spin(
+    fn axial_torques(
         &self,
         y: &[f64; 13],
-        dy: &mut [f64; 13],
-        mobility: &PairMobility,
         gravity: Gravity,
         squirmers: &[Squirmer; 2],
-    ) {
+    ) -> Option<[f64; 2]> {
         let d = vector(y, LINE).normalize();
-        let [t1, t2] = spatial_torques(y, gravity, squirmers).map(|torque| torque.dot(&d));
-        spin_about(&d, y, dy, mobility.twist.spins(t1 + t2, t1 - t2));
+        Some(spatial_torques(y, gravity, squirmers).map(|torque| torque.dot(&d)))
     }
+
+    #[inline]
+    fn add_axial_spin(&self, y: &[f64; 13], dy: &mut [f64; 13], spins: [f64; 2]) {
+        spin_about(&along_line(y), y, dy, spins);
+    }
+
+    #[inline]
+    fn turned(
+        &self,
+        y: &[f64; 13],
+        headings: &[Heading<Vector3<f64>>; 2],
+    ) -> Option<[Vector3<f64>; 2]> {
+        let d = along_line(y);
+        self.swirl.get().map(|Swirl| quarter_turned(&d, headings))
+    }
+}
+
+/// The transverse headings turned by a quarter about the line of centres, `d x v`.
+#[inline]
+pub(in crate::motion) fn quarter_turned(
+    d: &Vector3<f64>,
+    headings: &[Heading<Vector3<f64>>; 2],
+) -> [Vector3<f64>; 2] {
+    [0, 1].map(|k| d.cross(&headings[k].transverse))
 }
 
 /// Adds spins about the line of centres to a derivative.

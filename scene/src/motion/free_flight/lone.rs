@@ -1,7 +1,7 @@
 //! Flight of one squirmer.
 //!
 //! A lone squirmer swims along `p` at `V_s` while gravity turns `p` towards `-g` with the rate
-//! `k sin(angle to -g)`, `k = V_s G_bh/(8 pi)` (the paper's Eq. 12). With `h` half the angle,
+//! `k sin(angle to -g)`, `k = V_s G_bh/(8 pi a)` (the paper's Eq. 12). With `h` half the angle,
 //! `tan h(t) = tan h(0) exp(-k t)`, and the displacement follows by integration.
 
 use std::f64::consts::FRAC_PI_2;
@@ -38,7 +38,8 @@ impl Flight {
         gravity: Option<Gravity>,
     ) -> Self {
         let turning = gravity.and_then(|gravity| {
-            let rate = squirmer.gravity_torque() / 8.0;
+            // Over the drag on rotation, which goes as the volume.
+            let rate = squirmer.gravity_torque() / (8.0 * squirmer.radius().powi(3));
             let up = -gravity.direction();
             let level = orientation - up * orientation.dot(&up);
             let sine = level.norm();

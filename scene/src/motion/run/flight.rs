@@ -16,13 +16,14 @@ impl<const N: usize> Runner<'_, '_, N> {
     pub(super) fn fly(&mut self, cut: Gap) -> Result<Flown, SceneError> {
         self.counters.flights += 1;
         let squirmers = self.motion.squirmers();
+        let [one, two] = self.start.radii;
         let flight = PairFlight::new(squirmers, self.motion.gravity(), self.now);
         let chart = self.motion.chart();
         let flown = |t: f64| chart.restored(flight.at(t));
         let left = self.options.end_time - self.t;
-        let contact = flight.contact(cut.distance(), left, self.options.max_steps)?;
+        let contact = flight.contact(one + two + cut.eps(), left, self.options.max_steps)?;
         let nearest = flight.closest_approach(contact.unwrap_or(left));
-        self.min_gap = self.min_gap.min(flight.distance(nearest).0 - 2.0);
+        self.min_gap = self.min_gap.min(flight.distance(nearest).0 - (one + two));
         // A straight pair that misses has parted when it begins to recede; one that keeps its distance never does.
         let keeps = flight.keeps_distance();
         let parted = contact.is_none() && flight.is_straight() && nearest < left && !keeps;

@@ -1,6 +1,6 @@
 //! What happens within a step of the stepper: parting, touching, the smallest gap, time in contact.
 
-use super::{CONTACT_GAP, PhaseEnd, Runner};
+use super::{PhaseEnd, Runner};
 use crate::Gap;
 use crate::motion::outcome::Outcome;
 use crate::ode::{Dense, Direction, OdeError, Step, first_crossing, first_minimum};
@@ -15,7 +15,7 @@ impl<const N: usize> Runner<'_, '_, N> {
         let of = self.ln_gap;
         let turns = step.dy0[of] < 0.0 && step.dy1[of] >= 0.0;
         let crosses = |level: f64| (step.y0[of] <= level) != (step.y1[of] <= level);
-        let contact = CONTACT_GAP.ln();
+        let contact = self.ln_contact;
         let parts = parting.is_some_and(|gap| parts(step, of, gap));
         // Out and back within the step: the gap is largest inside it.
         let crests = parting.is_some() && step.dy0[of] > 0.0 && step.dy1[of] < 0.0;
@@ -108,7 +108,7 @@ impl<const N: usize> Runner<'_, '_, N> {
         (t, y): (f64, &[f64; N]),
     ) {
         let of = self.ln_gap;
-        let contact = CONTACT_GAP.ln();
+        let contact = self.ln_contact;
         let mut least = step.y0[of].min(y[of]);
         if let Some((_, ln_gap)) = nearest.filter(|(nearest, _)| *nearest < t) {
             least = least.min(ln_gap);

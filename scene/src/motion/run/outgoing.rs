@@ -42,13 +42,13 @@ impl Outgoing {
 impl<const N: usize> Runner<'_, '_, N> {
     /// Where the angles of a pair are read that has parted just now under a model without a cut.
     pub(super) fn fly_out(&mut self) -> Result<Outgoing, SceneError> {
-        let read_at = self.options.angles_at;
-        if read_at <= self.now.gap.distance() {
+        let read_at = self.options.angles_at * self.larger_radius();
+        if read_at <= self.now.distance() {
             return Ok(self.still_to_come(self.now));
         }
         let (_, mut stepper) = self.stepper(f64::MAX)?;
         let mut limit = Limit::from(self.estimate(self.now));
-        let mut next = Next::after(self.now.gap.distance(), read_at)?;
+        let mut next = self.next_after(self.now.distance(), read_at)?;
         let mut previous = self.now;
         let outgoing = 'far: loop {
             let step = self.motion.step(&mut stepper, f64::MAX);
@@ -68,7 +68,7 @@ impl<const N: usize> Runner<'_, '_, N> {
                 if let Some(outgoing) = known.filter(|_| read_at.is_infinite()) {
                     break 'far outgoing;
                 }
-                next = Next::after(next.distance, read_at)?;
+                next = self.next_after(next.distance, read_at)?;
             }
             // A pair that comes back has not parted: its angles have no limit here.
             if step.dy1[self.ln_gap] < 0.0 && step.y1[self.ln_gap] <= self.now.gap.ln() {
@@ -81,6 +81,16 @@ impl<const N: usize> Runner<'_, '_, N> {
         };
         self.count(&stepper);
         Ok(outgoing)
+    }
+
+    /// At twice the distance of the centres, or where angles are read if that is nearer.
+    fn next_after(&self, distance: f64, read_at: f64) -> Result<Next, SceneError> {
+        let distance = 2.0 * distance;
+        Ok(Next {
+            distance,
+            gap: self.gap_at(distance.min(read_at))?,
+            is_read: read_at <= distance,
+        })
     }
 
     /// The pair at infinity, as seen from a configuration far out.
@@ -106,18 +116,6 @@ struct Next {
     gap: Gap,
     /// Whether its angles are read there.
     is_read: bool,
-}
-
-impl Next {
-    /// At twice the distance of the centres, or where angles are read if that is nearer.
-    fn after(distance: f64, read_at: f64) -> Result<Self, SceneError> {
-        let distance = 2.0 * distance;
-        Ok(Self {
-            distance,
-            gap: Gap::new(distance.min(read_at) - 2.0)?,
-            is_read: read_at <= distance,
-        })
-    }
 }
 
 /// The estimates of the limit, each from twice as far out as the one before.
