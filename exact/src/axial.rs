@@ -18,12 +18,13 @@ use crate::stencil::{
     lowering_derivative, times_denominator,
 };
 use crate::surface::{Surface, combine};
-use crate::system::{Field, Series, System};
+use crate::system::{Equations, Field, Series, System};
 
 const CONTINUITY: usize = 0;
 const AXIAL: usize = 1;
 const RADIAL: usize = 2;
-const FIELDS: usize = 3;
+/// Number of fields, and of equations of each degree.
+pub const FIELDS: usize = 3;
 
 /// The fields of a solution.
 #[derive(Clone, Copy, Debug)]
@@ -34,6 +35,22 @@ pub struct Fields {
     pub axial: Field,
     /// `v`.
     pub radial: Field,
+}
+
+impl Fields {
+    /// Of a flow of one parity.
+    pub fn new(parity: Parity) -> Self {
+        let field = |index, order, envelope| Field {
+            index,
+            order,
+            envelope,
+        };
+        Self {
+            axial: field(0, 0, parity.flipped()),
+            pressure: field(1, 0, parity),
+            radial: field(2, 1, parity),
+        }
+    }
 }
 
 /// The flows of one parity: rigid translation along `d`, then the squirming modes 1, 2, ….
@@ -54,18 +71,10 @@ struct Boundary {
 impl Axial {
     /// Solves for translation and `modes` squirming modes.
     pub fn solve(geometry: Geometry, parity: Parity, modes: usize) -> Result<Self, ExactError> {
-        let field = |index, order, envelope| Field {
-            index,
-            order,
-            envelope,
-        };
-        let fields = Fields {
-            axial: field(0, 0, parity.flipped()),
-            pressure: field(1, 0, parity),
-            radial: field(2, 1, parity),
-        };
+        let fields = Fields::new(parity);
         let cases = boundary_velocities(geometry, modes);
-        let system = assemble(geometry, parity, &fields);
+        let mut system = System::new(geometry, FIELDS);
+        assemble(&mut system, parity, &fields);
         let series = system.solve(right_hand_sides(geometry, &cases), cases.len())?;
         Ok(Self {
             geometry,
@@ -83,27 +92,30 @@ impl Axial {
     }
 }
 
-fn assemble(geometry: Geometry, parity: Parity, fields: &Fields) -> System {
-    let mut system = System::new(geometry, FIELDS);
-    for n in 0..=geometry.degree {
-        continuity(&mut system, n, parity, fields);
-        let pressure = Stencil::diagonal(0.5 * geometry.sinh);
-        system.on_sphere(n, AXIAL, fields.pressure, pressure);
-        let axial = times_denominator(n, 0, geometry.cosh);
-        system.on_sphere(n, AXIAL, fields.axial, axial);
+/// Writes down the equations of one parity.
+pub fn assemble(system: &mut impl Equations, parity: Parity, fields: &Fields) {
+    for n in 0..=system.degree() {
+        continuity(system, n, parity, fields);
+        system.on_sphere(n, AXIAL, fields.pressure, |sphere| {
+            Stencil::diagonal(0.5 * sphere.sinh)
+        });
+        system.on_sphere(n, AXIAL, fields.axial, |sphere| {
+            times_denominator(n, 0, sphere.cosh)
+        });
         if n == 0 {
             system.absent(n, RADIAL, fields.radial);
             continue;
         }
-        let radial = times_denominator(n, 1, geometry.cosh);
-        system.on_sphere(n, RADIAL, fields.radial, radial);
-        let pressure = in_next_derivative(n).scaled(0.5);
-        system.on_sphere(n, RADIAL, fields.pressure, pressure);
+        system.on_sphere(n, RADIAL, fields.radial, |sphere| {
+            times_denominator(n, 1, sphere.cosh)
+        });
+        system.on_sphere(n, RADIAL, fields.pressure, |_| {
+            in_next_derivative(n).scaled(0.5)
+        });
     }
-    system
 }
 
-fn continuity(system: &mut System, n: usize, parity: Parity, fields: &Fields) {
+fn continuity(system: &mut impl Equations, n: usize, parity: Parity, fields: &Fields) {
     // Rows of equal size keep the pivoting sound.
     let scale = 1.0 / (n as f64 + 1.0);
     for (field, weights) in [

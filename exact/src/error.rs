@@ -12,6 +12,12 @@ pub enum ExactError {
         /// The factor.
         factor: f64,
     },
+    /// A radius ratio outside the allowed interval.
+    #[error("radius ratio {ratio} is not allowed: it must lie in [0.01, 100]")]
+    InvalidRatio {
+        /// Radius of sphere 2 over that of sphere 1.
+        ratio: f64,
+    },
     /// The series would need more terms than is sensible; the near-contact form serves there.
     #[error("the series needs {terms} terms at gap {eps:e}: at most {allowed} are allowed")]
     TooManyTerms {

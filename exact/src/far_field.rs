@@ -20,7 +20,8 @@ const FIT_FROM: f64 = 20.0;
 const FIT_TO: f64 = 400.0;
 const FITTED_GAPS: usize = 24;
 const POWERS: usize = 8;
-const CONTROL_GAPS: [f64; 3] = [77.0, 101.0, 333.0];
+/// Gaps at which the error is measured.
+pub const CONTROL_GAPS: [f64; 3] = [77.0, 101.0, 333.0];
 
 /// The far form with its fitted factors.
 #[derive(Clone, Debug)]
@@ -32,8 +33,7 @@ pub struct FarField {
 impl FarField {
     /// Fits the form for the loads of `set` to series with `factor` times the usual number of terms.
     pub fn fit(set: LoadSet, factor: f64) -> Result<Self, ExactError> {
-        let gaps = geometric(FIT_FROM, FIT_TO, FITTED_GAPS);
-        let fit = Fit::new((&gaps, factor), set, inverse_powers, |_, set| {
+        let fit = Fit::new((&fitted_gaps(), factor), set, powers, |_, set| {
             (PairLoads::isolated(set), SwirlLoads::isolated(set))
         })?;
         let mut form = Self { fit, error: 0.0 };
@@ -46,13 +46,13 @@ impl FarField {
     /// The loads at `gap`, of a set that was fitted.
     pub fn loads(&self, gap: Gap, set: LoadSet) -> PairLoads {
         let known = PairLoads::isolated(set);
-        self.fit.add_to(&known, &inverse_powers(gap))
+        self.fit.add_to(&known, &powers(gap))
     }
 
     /// The loads by swirl at `gap`, of a set that was fitted.
     pub fn swirl(&self, gap: Gap, set: LoadSet) -> SwirlLoads {
         let known = SwirlLoads::isolated(set);
-        self.fit.add_to_swirl(&known, set, &inverse_powers(gap))
+        self.fit.add_to_swirl(&known, set, &powers(gap))
     }
 
     /// Largest difference from the series at gaps not fitted, relative to the larger of the load
@@ -62,8 +62,16 @@ impl FarField {
     }
 }
 
-fn inverse_powers(gap: Gap) -> Vec<f64> {
-    (1..=POWERS)
-        .map(|p| gap.distance().powi(-(p as i32)))
-        .collect()
+/// The gaps that the form is fitted at.
+pub fn fitted_gaps() -> Vec<Gap> {
+    geometric(FIT_FROM, FIT_TO, FITTED_GAPS)
+}
+
+fn powers(gap: Gap) -> Vec<f64> {
+    inverse_powers(gap.distance())
+}
+
+/// `1/r, 1/r^2, ...`.
+pub fn inverse_powers(distance: f64) -> Vec<f64> {
+    (1..=POWERS).map(|p| distance.powi(-(p as i32))).collect()
 }

@@ -4,10 +4,10 @@
 //! derivative by `xi`. Boundary velocities are written out here once more, from their definition,
 //! so that the residual also tests their expansions.
 
-use crate::axial::Axial;
+use crate::axial::{self, Axial};
 use crate::geometry::Geometry;
 use crate::system::{Field, Series};
-use crate::transverse::Transverse;
+use crate::transverse::{self, Transverse};
 
 /// Cylindrical components of a velocity; azimuthal factors `cos`, `cos`, `sin` of `m phi` left out.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -21,6 +21,15 @@ pub struct Velocity {
 }
 
 impl Velocity {
+    /// The opposite one.
+    pub fn reversed(self) -> Self {
+        Self {
+            axial: -self.axial,
+            radial: -self.radial,
+            azimuthal: -self.azimuthal,
+        }
+    }
+
     /// Largest component of the difference.
     pub fn distance(self, other: Self) -> f64 {
         (self.axial - other.axial)
@@ -40,7 +49,7 @@ pub struct SurfacePoint {
 }
 
 /// A quantity and its derivative by `xi`.
-type Jet = (f64, f64);
+pub type Jet = (f64, f64);
 
 impl SurfacePoint {
     /// The point with `mu = cos(eta)`.
@@ -67,21 +76,27 @@ impl SurfacePoint {
     }
 
     fn sum(&self, series: &Series, field: Field, case: usize) -> Jet {
-        let Geometry { alpha, sinh, .. } = self.geometry;
-        let denominator = self.geometry.denominator(self.mu);
+        let alpha = self.geometry.alpha;
         let flipped = field.envelope.flipped();
-        let (mut value, mut slope) = (0.0, 0.0);
-        let terms = series
-            .coefficients(field, case)
-            .zip(&self.legendre[field.order]);
-        for (n, (coefficient, legendre)) in terms.enumerate().skip(field.order) {
+        let terms = series.coefficients(field, case).enumerate();
+        let jets = terms.map(|(n, coefficient)| {
             let lambda = n as f64 + 0.5;
             let ratio = flipped.envelope(lambda, alpha) / field.envelope.envelope(lambda, alpha);
-            value += coefficient * legendre;
-            slope += coefficient * legendre * lambda * ratio;
+            (coefficient, coefficient * lambda * ratio)
+        });
+        self.sum_of(field.order, jets)
+    }
+
+    /// The value of a field of which the coefficients are given, degree by degree with their derivatives by `xi`.
+    pub fn sum_of(&self, order: usize, jets: impl Iterator<Item = Jet>) -> Jet {
+        let denominator = self.geometry.denominator(self.mu);
+        let (mut value, mut slope) = (0.0, 0.0);
+        for (jet, legendre) in jets.zip(&self.legendre[order]).skip(order) {
+            value += jet.0 * legendre;
+            slope += jet.1 * legendre;
         }
-        slope += value * sinh / (2.0 * denominator);
-        let factor = denominator.sqrt() * self.sine().powi(field.order as i32);
+        slope += value * self.geometry.sinh / (2.0 * denominator);
+        let factor = denominator.sqrt() * self.sine().powi(order as i32);
         (factor * value, factor * slope)
     }
 
@@ -102,9 +117,17 @@ impl SurfacePoint {
 
     /// Velocity and its derivative by `xi` in an axisymmetric flow.
     pub fn axial_flow(&self, flow: &Axial, case: usize) -> (Velocity, Velocity) {
-        let sum = |field| self.sum(&flow.series, field, case);
-        let (zq, rq) = self.with_pressure(sum(flow.fields.pressure));
-        let (w, v) = (sum(flow.fields.axial), sum(flow.fields.radial));
+        self.axial_velocity(&flow.fields, |field| self.sum(&flow.series, field, case))
+    }
+
+    /// The same of the fields that `sum` gives.
+    pub fn axial_velocity(
+        &self,
+        fields: &axial::Fields,
+        sum: impl Fn(Field) -> Jet,
+    ) -> (Velocity, Velocity) {
+        let (zq, rq) = self.with_pressure(sum(fields.pressure));
+        let (w, v) = (sum(fields.axial), sum(fields.radial));
         let velocity = |zq, rq, w, v| Velocity {
             axial: zq + w,
             radial: rq + v,
@@ -118,10 +141,18 @@ impl SurfacePoint {
 
     /// Velocity and its derivative by `xi` in a flow of azimuthal order 1.
     pub fn transverse_flow(&self, flow: &Transverse, case: usize) -> (Velocity, Velocity) {
-        let sum = |field| self.sum(&flow.series, field, case);
-        let (zq, rq) = self.with_pressure(sum(flow.fields.pressure));
-        let w = sum(flow.fields.axial);
-        let (a, b) = (sum(flow.fields.mean), sum(flow.fields.second));
+        self.transverse_velocity(&flow.fields, |field| self.sum(&flow.series, field, case))
+    }
+
+    /// The same of the fields that `sum` gives.
+    pub fn transverse_velocity(
+        &self,
+        fields: &transverse::Fields,
+        sum: impl Fn(Field) -> Jet,
+    ) -> (Velocity, Velocity) {
+        let (zq, rq) = self.with_pressure(sum(fields.pressure));
+        let w = sum(fields.axial);
+        let (a, b) = (sum(fields.mean), sum(fields.second));
         let velocity = |zq, rq, w, a, b| Velocity {
             axial: zq + w,
             radial: rq + 0.5 * (b + a),
@@ -200,7 +231,7 @@ pub fn scattered_points(geometry: &Geometry, count: usize) -> Vec<f64> {
 }
 
 /// `P_n^(m)(mu)` for `n = 0..=degree`.
-fn legendre_derivatives(mu: f64, order: usize, degree: usize) -> Vec<f64> {
+pub fn legendre_derivatives(mu: f64, order: usize, degree: usize) -> Vec<f64> {
     let m = order as f64;
     let mut values = vec![0.0; degree.max(order) + 1];
     values[order] = (1..=order).map(|j| (2 * j - 1) as f64).product();

@@ -12,34 +12,24 @@ pub const MORE_TERMS: f64 = 1.5;
 
 /// Factors of some functions of the gap (rows) in every column of the loads.
 #[derive(Clone, Debug)]
-pub struct Fit {
-    factors: DMatrix<f64>,
-    set: LoadSet,
-}
+pub struct Factors(DMatrix<f64>);
 
-/// The functions of the gap that a form is a combination of.
-pub type Functions = fn(Gap) -> Vec<f64>;
-
-/// What is known of the loads at a gap.
-pub type Known = fn(Gap, LoadSet) -> (PairLoads, SwirlLoads);
-
-impl Fit {
-    /// Fits `functions` to the loads at `gaps` by series with `factor` times the usual number of terms, less `known`,
-    /// every load weighted by what rounding leaves of it.
+impl Factors {
+    /// Fits `functions` to the columns that are `solved` at `gaps`, less those `known`, every column weighted by what rounding leaves
+    /// of it.
     pub fn new(
-        (gaps, factor): (&[Gap], f64),
-        set: LoadSet,
-        functions: Functions,
-        known: Known,
+        gaps: &[Gap],
+        functions: impl Fn(Gap) -> Vec<f64>,
+        solved: impl Fn(Gap) -> Result<Vec<f64>, ExactError> + Sync,
+        known: impl Fn(Gap) -> Vec<f64>,
     ) -> Result<Self, ExactError> {
         let rows: Vec<Vec<f64>> = gaps.iter().map(|gap| functions(*gap)).collect();
         let sizes: Vec<Vec<f64>> = gaps
             .par_iter()
-            .map(|gap| Ok(Solved::new(gap.eps(), set, factor)?.columns()))
+            .map(|gap| solved(*gap))
             .collect::<Result<_, ExactError>>()?;
         let targets = gaps.iter().zip(&sizes).map(|(gap, loads)| {
-            let (pair, swirl) = known(*gap, set);
-            let known = pair.columns().chain(swirl.columns());
+            let known = known(*gap);
             loads.iter().zip(known).map(|(l, k)| l - k).collect()
         });
         let targets: Vec<Vec<f64>> = targets.collect();
@@ -51,6 +41,49 @@ impl Fit {
             let target = DMatrix::from_fn(gaps.len(), 1, |i, _| weight(i) * targets[i][column]);
             factors.set_column(column, &least_squares(matrix, &target)?.column(0));
         }
+        Ok(Self(factors))
+    }
+
+    /// The combination of the values of the functions in one column.
+    pub fn combined(&self, column: usize, functions: &[f64]) -> f64 {
+        let factors = self.0.column(column);
+        let terms = functions.iter().zip(factors.iter()).map(|(f, c)| f * c);
+        terms.sum()
+    }
+
+    /// The factors of the function number `index` in all columns.
+    pub fn of(&self, index: usize) -> Vec<f64> {
+        self.0.row(index).iter().copied().collect()
+    }
+}
+
+/// Factors for the loads of equal spheres.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    factors: Factors,
+    set: LoadSet,
+}
+
+/// The functions of the gap that a form is a combination of.
+pub type Functions = fn(Gap) -> Vec<f64>;
+
+/// What is known of the loads at a gap.
+pub type Known = fn(Gap, LoadSet) -> (PairLoads, SwirlLoads);
+
+impl Fit {
+    /// Fits `functions` to the loads at `gaps` by series with `factor` times the usual number of terms, less `known`.
+    pub fn new(
+        (gaps, factor): (&[Gap], f64),
+        set: LoadSet,
+        functions: Functions,
+        known: Known,
+    ) -> Result<Self, ExactError> {
+        let solved = |gap: Gap| Ok(Solved::new(gap.eps(), set, factor)?.columns());
+        let known = |gap: Gap| {
+            let (pair, swirl) = known(gap, set);
+            pair.columns().chain(swirl.columns()).collect()
+        };
+        let factors = Factors::new(gaps, functions, solved, known)?;
         Ok(Self { factors, set })
     }
 
@@ -58,8 +91,8 @@ impl Fit {
     /// which must be among those fitted.
     pub fn add_to(&self, known: &PairLoads, functions: &[f64]) -> PairLoads {
         let mut loads = PairLoads::from_column_pairs(known.set(), self.set, |k| SelfOther {
-            sum: self.combined(2 * k, functions),
-            difference: self.combined(2 * k + 1, functions),
+            sum: self.factors.combined(2 * k, functions),
+            difference: self.factors.combined(2 * k + 1, functions),
         });
         loads += known;
         loads
@@ -70,21 +103,14 @@ impl Fit {
         let mut columns = [0.0; LoadSet::all(MAX_MODES).column_count()];
         let first = self.set.column_count();
         for (k, (column, known)) in columns.iter_mut().zip(known.columns()).enumerate() {
-            *column = known + self.combined(first + k, functions);
+            *column = known + self.factors.combined(first + k, functions);
         }
         SwirlLoads::from_columns(set, &columns)
     }
 
-    /// The combination in one column.
-    fn combined(&self, column: usize, functions: &[f64]) -> f64 {
-        let factors = self.factors.column(column);
-        let terms = functions.iter().zip(factors.iter()).map(|(f, c)| f * c);
-        terms.sum()
-    }
-
     /// The factors of the function number `index`, those of the loads by swirl last.
     pub fn factors(&self, index: usize) -> (PairLoads, SwirlLoads) {
-        let row: Vec<f64> = self.factors.row(index).iter().copied().collect();
+        let row = self.factors.of(index);
         let (pair, swirl) = row.split_at(self.set.column_count());
         (
             PairLoads::from_columns(self.set, self.set, pair),
@@ -126,12 +152,23 @@ pub fn largest_error(
     set: LoadSet,
     form: impl Fn(Gap) -> (PairLoads, SwirlLoads) + Sync,
 ) -> Result<f64, ExactError> {
+    let series = |eps| Ok(Solved::new(eps, set, MORE_TERMS * factor)?.columns());
+    largest_difference(gaps, series, |gap| {
+        let (pair, swirl) = form(gap);
+        pair.columns().chain(swirl.columns()).collect()
+    })
+}
+
+/// Largest difference at `gaps` of the columns of a form from those of series.
+pub fn largest_difference(
+    gaps: &[f64],
+    series: impl Fn(f64) -> Result<Vec<f64>, ExactError> + Sync,
+    form: impl Fn(Gap) -> Vec<f64> + Sync,
+) -> Result<f64, ExactError> {
     gaps.par_iter()
         .map(|eps| {
-            let series = Solved::new(*eps, set, MORE_TERMS * factor)?.columns();
-            let (pair, swirl) = form(Gap::from_ln(eps.ln()));
-            let form: Vec<f64> = pair.columns().chain(swirl.columns()).collect();
-            Ok(relative_distance(&form, &series))
+            let series = series(*eps)?;
+            Ok(relative_distance(&form(Gap::from_ln(eps.ln())), &series))
         })
         .try_reduce(|| 0.0, |a, b| Ok(a.max(b)))
 }

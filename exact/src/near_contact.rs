@@ -20,7 +20,8 @@ pub const SERIES_FROM: f64 = 1e-4;
 const FIT_TO: f64 = 1e-2;
 const FITTED_GAPS: usize = 60;
 const POWERS: usize = 4;
-const CONTROL_GAPS: [f64; 3] = [5e-5, 1.3e-4, 7.7e-4];
+/// Gaps at which the error is measured.
+pub const CONTROL_GAPS: [f64; 3] = [5e-5, 1.3e-4, 7.7e-4];
 
 /// The asymptotic form with its fitted constants.
 #[derive(Clone, Debug)]
@@ -32,8 +33,7 @@ pub struct NearContact {
 impl NearContact {
     /// Fits the form for the loads of `set` to series with `factor` times the usual number of terms.
     pub fn fit(set: LoadSet, factor: f64) -> Result<Self, ExactError> {
-        let gaps = geometric(SERIES_FROM, FIT_TO, FITTED_GAPS);
-        let fit = Fit::new((&gaps, factor), set, regular_functions, diverging)?;
+        let fit = Fit::new((&fitted_gaps(), factor), set, regular_functions, diverging)?;
         let mut form = Self { fit, error: 0.0 };
         form.error = largest_error((&CONTROL_GAPS, factor), set, |gap| {
             (form.loads(gap, set), form.swirl(gap, set))
@@ -65,6 +65,11 @@ impl NearContact {
     }
 }
 
+/// The gaps that the form is fitted at.
+pub fn fitted_gaps() -> Vec<Gap> {
+    geometric(SERIES_FROM, FIT_TO, FITTED_GAPS)
+}
+
 /// The factors of `L` fitted freely to the loads at gaps between 1e-4 and 1e-3, with nothing known
 /// beforehand but the form `s L + c + eps (l L + b) + k/eps`.
 pub fn log_slopes(set: LoadSet, factor: f64) -> Result<(PairLoads, SwirlLoads), ExactError> {
@@ -84,7 +89,7 @@ fn diverging(gap: Gap, set: LoadSet) -> (PairLoads, SwirlLoads) {
 }
 
 /// `1, eps L, eps, eps^2 L, eps^2, ...`.
-fn powers(gap: Gap) -> [f64; 1 + 2 * POWERS] {
+pub fn powers(gap: Gap) -> [f64; 1 + 2 * POWERS] {
     let (eps, log) = (gap.eps(), gap.log_inverse());
     let mut functions = [1.0; 1 + 2 * POWERS];
     let mut power = 1.0;
@@ -99,7 +104,8 @@ fn regular_functions(gap: Gap) -> Vec<f64> {
     powers(gap).into()
 }
 
-fn singular_functions(gap: Gap) -> Vec<f64> {
+/// `L`, `1`, `eps L`, `eps`, `1/eps`.
+pub fn singular_functions(gap: Gap) -> Vec<f64> {
     let (eps, log) = (gap.eps(), gap.log_inverse());
     vec![log, 1.0, eps * log, eps, 1.0 / eps]
 }

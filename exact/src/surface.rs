@@ -153,7 +153,8 @@ pub fn combine(p: f64, a: &[f64], q: f64, b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| p * a + q * b).collect()
 }
 
-fn apply(series: &[f64], order: usize, stencil: impl Fn(usize) -> Stencil) -> Vec<f64> {
+/// A stencil of degrees from `order` on, applied to a series.
+pub fn apply(series: &[f64], order: usize, stencil: impl Fn(usize) -> Stencil) -> Vec<f64> {
     let entry = |n: usize| series.get(n).copied().unwrap_or(0.0);
     (0..series.len())
         .map(|n| {

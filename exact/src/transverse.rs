@@ -24,13 +24,17 @@ use crate::stencil::{
     lowering_derivative, raising_derivative, sine_squared_lowered, times_denominator,
 };
 use crate::surface::{LegendreSeries, Surface, combine};
-use crate::system::{Field, Series, System};
+use crate::system::{Equations, Field, Series, System};
 
 const CONTINUITY: usize = 0;
-const AXIAL: usize = 1;
-const DIFFERENCE: usize = 2;
-const SUM: usize = 3;
-const FIELDS: usize = 4;
+/// The equation of the axial velocity on the sphere.
+pub const AXIAL: usize = 1;
+/// That of `u_rho - u_phi`.
+pub const DIFFERENCE: usize = 2;
+/// That of `u_rho + u_phi`.
+pub const SUM: usize = 3;
+/// Number of fields, and of equations of each degree.
+pub const FIELDS: usize = 4;
 
 /// The case of rigid translation.
 pub const TRANSLATION: usize = 0;
@@ -50,6 +54,28 @@ pub struct Fields {
     pub second: Field,
 }
 
+impl Fields {
+    /// In the order of their indices.
+    pub fn all(&self) -> [Field; FIELDS] {
+        [self.axial, self.pressure, self.mean, self.second]
+    }
+
+    /// Of a flow of one parity.
+    pub fn new(parity: Parity) -> Self {
+        let field = |index, order, envelope| Field {
+            index,
+            order,
+            envelope,
+        };
+        Self {
+            axial: field(0, 1, parity.flipped()),
+            pressure: field(1, 1, parity),
+            mean: field(2, 0, parity),
+            second: field(3, 2, parity),
+        }
+    }
+}
+
 /// The flows of one parity: translation along `t`, rotation along `d x t`, the squirming modes 1, 2, …,
 /// and the swirl modes 1, 2, … with `d x p_t = t`.
 pub struct Transverse {
@@ -63,28 +89,22 @@ pub struct Transverse {
 
 /// Boundary velocity times `S^(1/2)`: `u_z` in `sin(eta) P_n'`, `u_rho - u_phi` in `P_n`,
 /// `u_rho + u_phi` in `sin^2(eta) P_n''`.
-struct Boundary {
-    axial: Vec<f64>,
-    difference: Vec<f64>,
-    sum: Vec<f64>,
+pub struct Boundary {
+    /// `u_z`.
+    pub axial: Vec<f64>,
+    /// `u_rho - u_phi`.
+    pub difference: Vec<f64>,
+    /// `u_rho + u_phi`.
+    pub sum: Vec<f64>,
 }
 
 impl Transverse {
     /// Solves for translation, rotation and the slip modes of `set`.
     pub fn solve(geometry: Geometry, parity: Parity, set: LoadSet) -> Result<Self, ExactError> {
-        let field = |index, order, envelope| Field {
-            index,
-            order,
-            envelope,
-        };
-        let fields = Fields {
-            axial: field(0, 1, parity.flipped()),
-            pressure: field(1, 1, parity),
-            mean: field(2, 0, parity),
-            second: field(3, 2, parity),
-        };
+        let fields = Fields::new(parity);
         let cases = boundary_velocities(geometry, set);
-        let system = assemble(geometry, parity, &fields);
+        let mut system = System::new(geometry, FIELDS);
+        assemble(&mut system, parity, &fields);
         let series = system.solve(right_hand_sides(geometry, &cases), cases.len())?;
         Ok(Self {
             geometry,
@@ -132,27 +152,31 @@ impl Transverse {
     }
 }
 
-fn assemble(geometry: Geometry, parity: Parity, fields: &Fields) -> System {
-    let mut system = System::new(geometry, FIELDS);
-    for n in 0..=geometry.degree {
-        if n == 0 {
-            system.absent(n, CONTINUITY, fields.pressure);
-            system.absent(n, AXIAL, fields.axial);
-        } else {
-            continuity(&mut system, n, parity, fields);
-            axial_velocity(&mut system, n, &geometry, fields);
-        }
-        velocity_difference(&mut system, n, &geometry, fields);
-        if n < 2 {
-            system.absent(n, SUM, fields.second);
-        } else {
-            velocity_sum(&mut system, n, &geometry, fields);
-        }
+/// Writes down the equations of one parity.
+pub fn assemble(system: &mut impl Equations, parity: Parity, fields: &Fields) {
+    for n in 0..=system.degree() {
+        assemble_degree(system, n, parity, fields);
     }
-    system
 }
 
-fn continuity(system: &mut System, n: usize, parity: Parity, fields: &Fields) {
+/// Those of one degree.
+pub fn assemble_degree(system: &mut impl Equations, n: usize, parity: Parity, fields: &Fields) {
+    if n == 0 {
+        system.absent(n, CONTINUITY, fields.pressure);
+        system.absent(n, AXIAL, fields.axial);
+    } else {
+        continuity(system, n, parity, fields);
+        axial_velocity(system, n, fields);
+    }
+    velocity_difference(system, n, fields);
+    if n < 2 {
+        system.absent(n, SUM, fields.second);
+    } else {
+        velocity_sum(system, n, fields);
+    }
+}
+
+fn continuity(system: &mut impl Equations, n: usize, parity: Parity, fields: &Fields) {
     for (field, weights) in [
         (fields.pressure, divergence_of_position_times(n, 1)),
         (fields.mean, raising_derivative()),
@@ -163,27 +187,33 @@ fn continuity(system: &mut System, n: usize, parity: Parity, fields: &Fields) {
     }
 }
 
-fn axial_velocity(system: &mut System, n: usize, geometry: &Geometry, fields: &Fields) {
-    let pressure = Stencil::diagonal(0.5 * geometry.sinh);
-    system.on_sphere(n, AXIAL, fields.pressure, pressure);
-    let axial = times_denominator(n, 1, geometry.cosh);
-    system.on_sphere(n, AXIAL, fields.axial, axial);
+fn axial_velocity(system: &mut impl Equations, n: usize, fields: &Fields) {
+    system.on_sphere(n, AXIAL, fields.pressure, |sphere| {
+        Stencil::diagonal(0.5 * sphere.sinh)
+    });
+    system.on_sphere(n, AXIAL, fields.axial, |sphere| {
+        times_denominator(n, 1, sphere.cosh)
+    });
 }
 
 /// `u_rho - u_phi = rho q/2 + a`.
-fn velocity_difference(system: &mut System, n: usize, geometry: &Geometry, fields: &Fields) {
-    let mean = times_denominator(n, 0, geometry.cosh);
-    system.on_sphere(n, DIFFERENCE, fields.mean, mean);
-    let pressure = sine_squared_lowered(n).scaled(0.5);
-    system.on_sphere(n, DIFFERENCE, fields.pressure, pressure);
+fn velocity_difference(system: &mut impl Equations, n: usize, fields: &Fields) {
+    system.on_sphere(n, DIFFERENCE, fields.mean, |sphere| {
+        times_denominator(n, 0, sphere.cosh)
+    });
+    system.on_sphere(n, DIFFERENCE, fields.pressure, |_| {
+        sine_squared_lowered(n).scaled(0.5)
+    });
 }
 
 /// `u_rho + u_phi = rho q/2 + b`.
-fn velocity_sum(system: &mut System, n: usize, geometry: &Geometry, fields: &Fields) {
-    let second = times_denominator(n, 2, geometry.cosh);
-    system.on_sphere(n, SUM, fields.second, second);
-    let pressure = in_next_derivative(n).scaled(0.5);
-    system.on_sphere(n, SUM, fields.pressure, pressure);
+fn velocity_sum(system: &mut impl Equations, n: usize, fields: &Fields) {
+    system.on_sphere(n, SUM, fields.second, |sphere| {
+        times_denominator(n, 2, sphere.cosh)
+    });
+    system.on_sphere(n, SUM, fields.pressure, |_| {
+        in_next_derivative(n).scaled(0.5)
+    });
 }
 
 /// Legendre series of the three orders that a transverse boundary velocity needs.
@@ -210,7 +240,8 @@ impl Basis {
     }
 }
 
-fn boundary_velocities(geometry: Geometry, set: LoadSet) -> Vec<Boundary> {
+/// Those of translation, rotation, squirming modes and swirl modes.
+pub fn boundary_velocities(geometry: Geometry, set: LoadSet) -> Vec<Boundary> {
     let basis = Basis::new(geometry, set.modes.max(set.swirl));
     let zero = vec![0.0; geometry.degree + 1];
     let double = |series: &[f64]| series.iter().map(|v| 2.0 * v).collect();

@@ -1,8 +1,6 @@
-//! How far the loads are from the limit of infinitely many terms, and what they cost.
+//! How far the loads are from the limit of infinitely many terms.
 
 mod common;
-
-use std::time::{Duration, Instant};
 
 use exact::Exact;
 use scene::{Hydrodynamics, LoadSet};
@@ -77,28 +75,6 @@ fn the_error_estimate_stays_below_a_nanometre_a_metre() {
             .unwrap();
         println!("gap {eps:e}: {estimate:.1e}");
         assert!(estimate < 1e-9, "{eps}: {estimate:e}");
-    }
-}
-
-/// Best of several runs, because the machine is shared.
-fn best_time(eps: f64, modes: usize) -> Duration {
-    let exact = Exact::new();
-    (0..5)
-        .map(|_| {
-            let start = Instant::now();
-            exact.loads(at(eps), LoadSet::all(modes)).expect("loads");
-            start.elapsed()
-        })
-        .min()
-        .unwrap_or(Duration::MAX)
-}
-
-#[test]
-fn loads_at_one_gap_cost_milliseconds() {
-    for (eps, allowed) in [(0.1, 5), (0.01, 50), (1e-3, 1000), (1.1e-4, 2000)] {
-        let (two, eight) = (best_time(eps, 2), best_time(eps, 8));
-        println!("gap {eps:e}: {two:?} for 2 modes, {eight:?} for 8");
-        assert!(two < Duration::from_millis(allowed), "{eps}: {two:?}");
     }
 }
 

@@ -191,7 +191,7 @@ fn distances_at_which_nothing_can_be_read_are_refused() {
             ..RunOptions::default()
         };
         let plan = Plan::new(&opposed(1.0, 1.0)).unwrap();
-        let error = run_plan(&plan, &scene::Isolated, &options).unwrap_err();
+        let error = run_plan(&plan, &scene::Isolated::EQUAL, &options).unwrap_err();
         assert!(matches!(error, SceneError::NotApart { .. }), "{error}");
     }
 }

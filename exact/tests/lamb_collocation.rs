@@ -6,15 +6,15 @@
 //! F = -4π ∇(r^3 p_-2),  T = -8π ∇(r^3 χ_-2)   (by the fluid)
 //! ```
 //!
-//! (Happel & Brenner, *Low Reynolds number hydrodynamics*, 1965, section 3-2). Sphere 1 is at the
-//! origin, sphere 2 at `z = 2 + eps`, `d = z`, `t = x`; sphere 1 alone moves or squirms: no use is
-//! made of the mirror between them.
+//! (Happel & Brenner, *Low Reynolds number hydrodynamics*, 1965, section 3-2). The active sphere, of radius 1,
+//! is at the origin, the other one, of radius `q`, at `z = 1 + q + eps`, `d = z`, `t = x`; the former alone moves or squirms: no use is
+//! made of the mirror between them, if there is one.
 
 use std::f64::consts::PI;
 
 use exact::Exact;
 use nalgebra::DMatrix;
-use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, SelfOther, SwirlLoads};
+use scene::{ActiveLoads, Gap, Hydrodynamics, LoadSet, PairLoads, SelfOther, SwirlLoads};
 
 /// Components along rho, phi, z, without their factors `cos`, `sin`, `cos` of `m phi`.
 type Vector = [f64; 3];
@@ -75,16 +75,16 @@ fn angles(count: usize) -> Vec<f64> {
 }
 
 /// Coefficients of degree 1 on both spheres, `[sphere][kind][case]`, for boundary velocities given
-/// on sphere 1 at polar angle θ from the other sphere.
+/// on the active sphere at polar angle θ from the other sphere, of radius `q`.
 fn degree_one(
-    gap: Gap,
+    (gap, q): (Gap, f64),
     m: usize,
     kinds: &[usize],
     rows: &[usize],
     cases: &dyn Fn(f64) -> Vec<Vector>,
 ) -> Vec<Vec<Vec<f64>>> {
-    let degree = 24 + (40.0 / gap.eps().sqrt()).ceil() as usize;
-    let separation = gap.distance();
+    let degree = 24 + (40.0 * (q.max(1.0) / gap.eps()).sqrt()).ceil() as usize;
+    let separation = gap.distance_at_ratio(q);
     let angles = angles(3 * degree / 2);
     let count = cases(1.0).len();
     let unknowns = 2 * degree * kinds.len();
@@ -94,11 +94,15 @@ fn degree_one(
     for sphere in 0..2 {
         for (j, &angle) in angles.iter().enumerate() {
             let (sin, cos) = angle.sin_cos();
-            let z = if sphere == 0 { cos } else { separation - cos };
+            let (rho, z) = if sphere == 0 {
+                (sin, cos)
+            } else {
+                (q * sin, separation - q * cos)
+            };
             let first = (sphere * angles.len() + j) * rows.len();
             for source in 0..2 {
                 for n in 1..=degree {
-                    let velocities = lamb(n, m, sin, z - separation * source as f64);
+                    let velocities = lamb(n, m, rho, z - separation * source as f64);
                     for (k, &kind) in kinds.iter().enumerate() {
                         let column = (source * degree + n - 1) * kinds.len() + k;
                         for (i, &row) in rows.iter().enumerate() {
@@ -188,12 +192,12 @@ fn twist_cases(angle: f64) -> Vec<Vector> {
     std::iter::once([0.0, sin, 0.0]).chain(swirl).collect()
 }
 
-fn loads_by_lamb(gap: Gap) -> (PairLoads, SwirlLoads) {
+fn loads_by_lamb(gap: Gap, q: f64) -> ActiveLoads {
     let mut loads = PairLoads::zero(LoadSet::all(MODES));
     let (p, chi) = (0, 1);
-    let axial = degree_one(gap, 0, &[0, 1], &[0, 2], &axial_cases);
-    let twist = degree_one(gap, 0, &[2], &[1], &twist_cases);
-    let transverse = degree_one(gap, 1, &[0, 2, 1], &[0, 1, 2], &transverse_cases);
+    let axial = degree_one((gap, q), 0, &[0, 1], &[0, 2], &axial_cases);
+    let twist = degree_one((gap, q), 0, &[2], &[1], &twist_cases);
+    let transverse = degree_one((gap, q), 1, &[0, 2, 1], &[0, 1, 2], &transverse_cases);
     // Over pi: force by the fluid -4 times, torque -8 times the coefficient of degree 1.
     let force = |c: &[Vec<Vec<f64>>], case: usize, scale: f64| {
         SelfOther::new(-4.0 * c[0][p][case] / scale, -4.0 * c[1][p][case] / scale)
@@ -221,22 +225,50 @@ fn loads_by_lamb(gap: Gap) -> (PairLoads, SwirlLoads) {
         mode.yfc = force(&transverse, 2 + MODES + k, 1.0);
         mode.ytc = torque(2 + MODES + k, -1.0);
     }
-    (loads, swirl)
+    ActiveLoads {
+        pair: loads,
+        torque_on_other: torque(0, 4.0).other(),
+        swirl,
+    }
+}
+
+fn assert_same(what: &str, exact: &ActiveLoads, lamb: &ActiveLoads) {
+    for ((name, own), (_, other)) in exact.named(1).into_iter().zip(lamb.named(1)) {
+        assert!(
+            (own - other).abs() < 1e-10 * other.abs().max(1.0),
+            "{name} at {what}: {own:.13} here, {other:.13} by Lamb's solution"
+        );
+    }
 }
 
 #[test]
 fn val_all_loads_are_those_of_lambs_solution_about_both_centres() {
     for eps in [2.0, 1.0, 0.5] {
         let gap = Gap::new(eps).unwrap();
-        let (exact, exact_swirl) = Exact::new().loads_with_swirl(gap, SET).unwrap();
-        let (lamb, lamb_swirl) = loads_by_lamb(gap);
-        let exact = exact.named().into_iter().chain(exact_swirl.named());
-        let lamb = lamb.named().into_iter().chain(lamb_swirl.named());
-        for ((name, own), (_, other)) in exact.zip(lamb) {
-            assert!(
-                (own - other).abs() < 1e-10,
-                "{name} at {eps}: {own:.13} here, {other:.13} by Lamb's solution"
-            );
-        }
+        let exact = Exact::new().interacting_loads_of_each(gap, SET).unwrap();
+        assert_same(&format!("{eps}"), &exact[0], &loads_by_lamb(gap, 1.0));
+    }
+}
+
+#[test]
+fn val_all_loads_of_unlike_spheres_are_those_of_lambs_solution_about_both_centres() {
+    for (q, eps) in [
+        (2.0, 0.5),
+        (0.5, 0.4),
+        (0.3, 0.5),
+        (10.0, 5.0),
+        (0.1, 0.5),
+        (40.0, 30.0),
+    ] {
+        let gap = Gap::new(eps).unwrap();
+        let lamb = loads_by_lamb(gap, q);
+        let model = Exact::of_ratio(q).unwrap();
+        let [exact, _] = model.interacting_loads_of_each(gap, SET).unwrap();
+        assert_same(&format!("{q}, {eps}"), &exact, &lamb);
+        // The active sphere as sphere 2.
+        let model = Exact::of_ratio(1.0 / q).unwrap();
+        let gap = Gap::new(eps / q).unwrap();
+        let [_, exact] = model.interacting_loads_of_each(gap, SET).unwrap();
+        assert_same(&format!("{q}, {eps} as sphere 2"), &exact, &lamb);
     }
 }
