@@ -14,6 +14,26 @@ pub enum BemError {
         /// Highest level.
         highest: usize,
     },
+    /// Radii that are too unlike.
+    #[error(
+        "radii in the ratio {ratio:?} are not allowed: radius 2 over radius 1 is {lowest} to {highest}"
+    )]
+    Ratio {
+        /// The ratio asked for.
+        ratio: f64,
+        /// Smallest ratio.
+        lowest: f64,
+        /// Largest ratio.
+        highest: f64,
+    },
+    /// A sphere whose radius is none.
+    #[error("sphere {sphere} has the radius {radius:?}: it must be positive and finite")]
+    Radius {
+        /// Index of the sphere.
+        sphere: usize,
+        /// Its radius.
+        radius: f64,
+    },
     /// A gap too small for the meshes of a level.
     #[error(
         "gap {eps:e}{} is not resolved by mesh level {level}{}: {}",
@@ -24,11 +44,11 @@ pub enum BemError {
     GapUnresolved {
         /// Between which spheres, by their indices, if there may be more than the pair.
         spheres: Option<(usize, usize)>,
-        /// The gap, in sphere radii.
+        /// The gap, in radii of sphere 1 of a pair, in the unit of length of the laboratory.
         eps: f64,
         /// The level asked for.
         level: usize,
-        /// Smallest gap that the level resolves there, in sphere radii.
+        /// Smallest gap that the level resolves there, in the same unit.
         resolved: f64,
         /// The lowest level that would do, if there is one.
         needed: Option<usize>,
@@ -61,15 +81,17 @@ pub enum BemError {
     },
     /// Two spheres overlap or touch.
     #[error(
-        "spheres {first} and {second} overlap: their centres are {distance} apart, more than 2 is needed"
+        "spheres {first} and {second} overlap: their centres are {distance} apart, more than {touching} is needed"
     )]
     Overlap {
         /// Index of the first sphere.
         first: usize,
         /// Index of the second sphere.
         second: usize,
-        /// Distance of their centres, in radii.
+        /// Distance of their centres.
         distance: f64,
+        /// The sum of their radii.
+        touching: f64,
     },
     /// A list with an entry for each sphere has the wrong length.
     #[error("{found} motions for {expected} spheres")]

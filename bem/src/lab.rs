@@ -6,29 +6,36 @@
 //! `R V + slip loads + external loads = 0`. This is the check on the pair frame: other equations, other
 //! meshes, slip solved for rather than by reciprocity.
 //!
+//! Radii may be unlike. Over a sphere of radius a the single layer is a times that over the unit sphere, so that each mesh is one of the unit
+//! sphere and the unknowns are `a f`, as in the [pair frame](crate::pair).
+//!
 //! A mesh is refined towards one neighbour alone. Every other neighbour meets panels that are larger, and a
 //! gap that these do not resolve would give loads without a single right digit: such gaps are refused
 //! ([`BemError::GapUnresolved`]). At the smallest gap that a level accepts, whatever the place of the
 //! contact on the mesh, every load of a pair was found within 1 % of `exact` (`tests/lab.rs`).
 
+mod poles;
 mod resolution;
 
 use nalgebra::{DMatrix, DVector, Unit, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 
 use crate::dense::solve_all;
-use crate::model::{check_level, mesh_family};
+use crate::pieces::check_level;
 use crate::surface::{Block, Profile, Surface, Target, Work};
 use crate::{BemError, slip};
+use poles::{Pole, poles};
 
 /// Size of the rank-one term that fixes the multiple of the normal in each density.
 const DEFLATION: f64 = 0.16;
 
-/// A sphere of radius 1: a squirmer, or a rigid sphere if it has no modes.
+/// A sphere: a squirmer, or a rigid sphere if it has no modes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// Centre.
     pub position: Vector3<f64>,
+    /// Radius, 1 unless it is set.
+    pub radius: f64,
     /// Unit orientation p.
     pub orientation: Unit<Vector3<f64>>,
     /// Squirming modes `B_1, B_2, ...`.
@@ -44,11 +51,12 @@ pub struct Body {
 }
 
 impl Body {
-    /// A force-free squirmer.
+    /// A force-free squirmer of radius 1.
     #[must_use]
     pub fn squirmer(position: Vector3<f64>, orientation: Vector3<f64>, modes: &[f64]) -> Self {
         Self {
             position,
+            radius: 1.0,
             orientation: Unit::new_normalize(orientation),
             modes: modes.to_vec(),
             swirl: Vec::new(),
@@ -58,10 +66,16 @@ impl Body {
         }
     }
 
-    /// A force-free rigid sphere.
+    /// A force-free rigid sphere of radius 1.
     #[must_use]
     pub fn rigid(position: Vector3<f64>) -> Self {
         Self::squirmer(position, Vector3::z(), &[])
+    }
+
+    /// The same with another radius.
+    #[must_use]
+    pub fn with_radius(self, radius: f64) -> Self {
+        Self { radius, ..self }
     }
 
     fn slip(&self, normal: &Vector3<f64>) -> Vector3<f64> {
@@ -107,7 +121,7 @@ impl Lab {
     /// Solves for the spheres `bodies` with meshes of refinement level `level`.
     ///
     /// # Errors
-    /// [`BemError::Overlap`] if two spheres overlap, [`BemError::GapUnresolved`] if the meshes do not resolve the
+    /// [`BemError::Radius`] for a radius that is none, [`BemError::Overlap`] if two spheres overlap, [`BemError::GapUnresolved`] if the meshes do not resolve the
     /// gap between any two of them, [`BemError::Level`] for a level that does not exist, [`BemError::Residual`] if the dense system could not be solved.
     pub fn new(level: usize, bodies: &[Body]) -> Result<Self, BemError> {
         let spheres = meshed(level, bodies)?;
@@ -202,30 +216,9 @@ struct Place {
     normal: Vector3<f64>,
 }
 
-/// Where the refined pole of a sphere's mesh is, and for what gap the mesh is made.
-struct Pole {
-    /// Gap to the nearest neighbour, infinite for a sphere alone.
-    gap: f64,
-    /// Turns the mesh's frame, whose pole is +z, into the laboratory's.
-    rotation: UnitQuaternion<f64>,
-}
-
-fn poles(bodies: &[Body]) -> Result<Vec<Pole>, BemError> {
-    let pole = |(first, body): (usize, &Body)| {
-        let towards = nearest(first, bodies)?;
-        let turn = towards.map_or(UnitQuaternion::identity(), |(direction, _)| {
-            turned(&direction)
-        });
-        Ok(Pole {
-            gap: towards.map_or(f64::INFINITY, |(_, distance)| distance - 2.0),
-            rotation: body.mesh_rotation * turn,
-        })
-    };
-    bodies.iter().enumerate().map(pole).collect()
-}
-
 fn meshed(level: usize, bodies: &[Body]) -> Result<Vec<Sphere<'_>>, BemError> {
     check_level(level)?;
+    check_radii(bodies)?;
     let poles = poles(bodies)?;
     resolution::check(level, bodies, &poles)?;
     let sphere = |(body, pole): (_, Pole)| {
@@ -234,7 +227,7 @@ fn meshed(level: usize, bodies: &[Body]) -> Result<Vec<Sphere<'_>>, BemError> {
         } else {
             Profile::alone()
         };
-        let mesh = mesh_family(level, pole.gap)?.at(pole.gap);
+        let mesh = pole.family(level)?.at(pole.gap);
         Ok(Sphere {
             body,
             surface: Surface::new((mesh.clone(), profile), (&mesh, profile)),
@@ -244,32 +237,16 @@ fn meshed(level: usize, bodies: &[Body]) -> Result<Vec<Sphere<'_>>, BemError> {
     bodies.iter().zip(poles).map(sphere).collect()
 }
 
-/// Direction and distance of the nearest neighbour, if there is one.
-fn nearest(first: usize, bodies: &[Body]) -> Result<Option<(Vector3<f64>, f64)>, BemError> {
-    let mut found: Option<(Vector3<f64>, f64)> = None;
-    for (second, other) in bodies.iter().enumerate().filter(|&(k, _)| k != first) {
-        let direction = other.position - bodies[first].position;
-        let distance = direction.norm();
-        // Written so that NaN is refused.
-        if distance.partial_cmp(&2.0) != Some(std::cmp::Ordering::Greater) {
-            return Err(BemError::Overlap {
-                first,
-                second,
-                distance,
+fn check_radii(bodies: &[Body]) -> Result<(), BemError> {
+    for (sphere, Body { radius, .. }) in bodies.iter().enumerate() {
+        if !(*radius > 0.0 && radius.is_finite()) {
+            return Err(BemError::Radius {
+                sphere,
+                radius: *radius,
             });
         }
-        if found.is_none_or(|(_, nearest)| distance < nearest) {
-            found = Some((direction, distance));
-        }
     }
-    Ok(found)
-}
-
-/// The rotation that turns z towards `direction`.
-fn turned(direction: &Vector3<f64>) -> UnitQuaternion<f64> {
-    UnitQuaternion::rotation_between(&Vector3::z(), direction).unwrap_or_else(|| {
-        UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI)
-    })
+    Ok(())
 }
 
 fn places(spheres: &[Sphere<'_>]) -> Vec<Place> {
@@ -295,7 +272,8 @@ fn rows(spheres: &[Sphere<'_>], target: &Place, count: usize) -> Vec<f64> {
         let point = if own {
             sphere.surface.nodes()[target.vertex]
         } else {
-            sphere.rotation.inverse() * (target.normal + apart)
+            let radius = spheres[target.sphere].body.radius;
+            sphere.rotation.inverse() * (target.normal * radius + apart) / sphere.body.radius
         };
         let mut blocks = vec![Block::default(); sphere.surface.nodes().len()];
         let at = Target {
@@ -338,13 +316,13 @@ fn deflate(surface: &Surface, normal: &Vector3<f64>, blocks: &mut [Block]) {
 /// Velocities of all vertices by each unit motion of each sphere, and last by slip.
 fn right_hand_sides(spheres: &[Sphere<'_>], places: &[Place]) -> Vec<Vec<f64>> {
     let mut all = Vec::with_capacity(6 * spheres.len() + 1);
-    for sphere in 0..spheres.len() {
+    for (sphere, Sphere { body, .. }) in spheres.iter().enumerate() {
         for k in 0..6 {
             let axis = Vector3::ith(k % 3, 1.0);
             let velocity = |p: &Place| match (p.sphere == sphere, k < 3) {
                 (false, _) => Vector3::zeros(),
                 (true, true) => axis,
-                (true, false) => axis.cross(&p.normal),
+                (true, false) => axis.cross(&p.normal) * body.radius,
             };
             all.push(flat(places, velocity));
         }
@@ -360,7 +338,7 @@ fn flat(places: &[Place], velocity: impl Fn(&Place) -> Vector3<f64>) -> Vec<f64>
         .collect()
 }
 
-/// Force and torque on each sphere, by a density.
+/// Force and torque on each sphere, by the density times the sphere's radius.
 fn loads(spheres: &[Sphere<'_>], places: &[Place], density: &[f64]) -> DVector<f64> {
     let mut loads = DVector::zeros(6 * spheres.len());
     let (threes, _) = density.as_chunks::<3>();
@@ -368,7 +346,9 @@ fn loads(spheres: &[Sphere<'_>], places: &[Place], density: &[f64]) -> DVector<f
         let sphere = &spheres[place.sphere];
         let local = sphere.rotation.inverse() * Vector3::from(f);
         let (force, torque) = sphere.surface.force_and_torque(place.vertex, &local);
-        let (force, torque) = (sphere.rotation * force, sphere.rotation * torque);
+        let radius = sphere.body.radius;
+        let force = sphere.rotation * force * radius;
+        let torque = sphere.rotation * torque * (radius * radius);
         for a in 0..3 {
             loads[6 * place.sphere + a] -= force[a];
             loads[6 * place.sphere + 3 + a] -= torque[a];

@@ -1,4 +1,4 @@
-//! Loads of two equal squirming spheres by the boundary element method.
+//! Loads of two squirming spheres, equal or of unlike radii, by the boundary element method.
 //!
 //! The Stokes flow about the spheres is written as a single layer over their surfaces,
 //!
@@ -9,14 +9,15 @@
 //! after Pozrikidis, *Boundary Integral and Singularity Methods* (1992), chapters 4 and 5. `f` is the
 //! density of force on the fluid, so that the fluid's force on a sphere is `-∫ f dS` and its torque
 //! about the centre `-∫ (y - centre) x f dS`. The density is quadratic over each panel, the panels
-//! are exact spherical triangles, and the velocity is matched at the nodes.
+//! are exact spherical triangles, and the velocity is matched at the nodes. Over a sphere of radius a it is a times that over the unit sphere,
+//! so that every mesh is one of the unit sphere.
 //!
 //! | module | what |
 //! |---|---|
 //! | [`mesh`] | triangulated spheres, finer towards the contact point, mirror-symmetric to the last bit |
 //! | [`quadrature`] | rules for far, near and touching panels |
 //! | [`surface`] | one meshed sphere: the velocity that its hat functions induce at a point |
-//! | [`pair`] | two spheres in the pair frame, split by symmetry into at most six small dense systems |
+//! | [`pair`] | two spheres in the pair frame, split by symmetry into at most six small dense systems, three if they are unlike |
 //! | [`lab`] | any spheres anywhere, one dense system: squirmers that are free, or held |
 //! | [`model`] | [`Bem`], the model `gap -> loads` that scenes use |
 //!
@@ -25,6 +26,9 @@
 //! use scene::{Gap, Hydrodynamics, LoadSet};
 //! let loads = Bem::new(1)?.loads(Gap::new(1.0)?, LoadSet::all(1))?;
 //! assert!((loads.xa.own() - 1.3685).abs() < 0.01);
+//! // Beside a sphere of twice the radius it is harder to move.
+//! let [small, _] = Bem::of_ratio(1, 2.0)?.interacting_loads_of_each(Gap::new(1.0)?, LoadSet::all(1))?;
+//! assert!(small.pair.xa.own() > loads.xa.own());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -36,6 +40,7 @@ pub mod mesh;
 mod missing;
 pub mod model;
 pub mod pair;
+mod pieces;
 pub mod quadrature;
 mod refinement;
 pub mod slip;

@@ -56,17 +56,20 @@ impl Missing {
     }
 
     /// Adds the loads of the missing motions to those of the slip.
-    pub fn add_to(&self, loads: &mut PairLoads, swirl: &mut SwirlLoads) {
+    ///
+    /// `crossed` is the torque by translation, as the force by spin is YB; see [`crossed`].
+    pub fn add_to(&self, loads: &mut PairLoads, swirl: &mut SwirlLoads, crossed: SelfOther) {
         let rigid = *loads;
+        let drag = |motion| drag(&rigid, crossed, motion);
         for (n, mode) in loads.modes_mut().iter_mut().enumerate() {
             mode.xf += times(product(rigid.xa, self.along[n]), 6.0);
-            let [force, torque] = drag(&rigid, self.across[n]);
+            let [force, torque] = drag(self.across[n]);
             mode.yf += force;
             mode.yt += torque;
         }
         for (n, mode) in swirl.modes_mut().iter_mut().enumerate() {
             mode.xtc += times(product(rigid.xc, self.swirl_along[n]), 8.0);
-            let [force, torque] = drag(&rigid, self.swirl_across[n]);
+            let [force, torque] = drag(self.swirl_across[n]);
             mode.yfc += force;
             mode.ytc += times(torque, -1.0);
         }
@@ -104,8 +107,16 @@ fn free(rigid: &PairLoads, force: SelfOther, torque: SelfOther) -> Motion {
     ]
 }
 
+/// The torque by translation of equal spheres, `YB` of the sphere itself and `-YB` of the other one.
+pub(crate) fn crossed(loads: &PairLoads) -> SelfOther {
+    SelfOther {
+        sum: loads.yb.difference,
+        difference: loads.yb.sum,
+    }
+}
+
 /// The force and the torque that drag balances at a motion across the line of centres.
-fn drag(rigid: &PairLoads, [u, w]: Motion) -> [SelfOther; 2] {
+fn drag(rigid: &PairLoads, crossed: SelfOther, [u, w]: Motion) -> [SelfOther; 2] {
     let (ya, yb, yc) = (rigid.ya, rigid.yb, rigid.yc);
     [
         SelfOther {
@@ -113,8 +124,8 @@ fn drag(rigid: &PairLoads, [u, w]: Motion) -> [SelfOther; 2] {
             difference: 6.0 * ya.difference * u.difference - 4.0 * yb.difference * w.sum,
         },
         SelfOther {
-            sum: 8.0 * yc.sum * w.sum - 4.0 * yb.difference * u.difference,
-            difference: 8.0 * yc.difference * w.difference - 4.0 * yb.sum * u.sum,
+            sum: 8.0 * yc.sum * w.sum - 4.0 * crossed.sum * u.difference,
+            difference: 8.0 * yc.difference * w.difference - 4.0 * crossed.difference * u.sum,
         },
     ]
 }
@@ -172,7 +183,8 @@ mod tests {
         swirl.modes_mut()[1].yfc += off(7e-3);
         swirl.modes_mut()[1].ytc += off(8e-3);
         let missing = Missing::of(&loads, &swirl);
-        missing.add_to(&mut loads, &mut swirl);
+        let crossed = crossed(&loads);
+        missing.add_to(&mut loads, &mut swirl, crossed);
         let one = quotient(loads.mode(0).xf, loads.xa, 6.0);
         assert_relative_eq!(one.own(), 2.0 / 3.0, epsilon = 1e-14);
         let second = loads.mode(1);

@@ -1,65 +1,30 @@
 //! The model `gap -> loads` by boundary elements.
 
-use std::f64::consts::PI;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use scene::{
-    Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError, SwirlLoads,
+    ActiveLoads, Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError,
+    SwirlLoads,
 };
 
 use crate::BemError;
 use crate::estimates::Estimates;
-use crate::mesh::{Grading, MeshFamily};
-use crate::pair::{self, Condition, PairSolution};
+use crate::mesh::MeshFamily;
+use crate::pair::{Condition, EachSolution, PairSolution};
+use crate::pieces::{DEFAULT_LEVEL, LEVELS, Pieces, RATIOS, check_level, check_ratio};
 use crate::refinement::Refinement;
-
-/// Gaps at which the mesh's topology changes; beyond the last one the mesh is uniform and fixed.
-const SEAMS: [f64; 6] = [0.00098, 0.004, 0.016, 0.064, 0.256, 1.024];
-
-/// Smallest gap at levels 1, 2, ...: the smallest end of a piece at which every load was found within
-/// 0.5 % of `exact` (`tests/accuracy.rs`).
-const SMALLEST: [f64; 5] = [0.004, 0.001, 0.00025, 0.00025, 0.00025];
 
 /// To be raised with every change that changes loads: size laws, quadrature, basis, shifts.
 const REVISION: u32 = 4;
 
-/// Panels a quarter turn about the line of centres, in the middle of the sphere near contact, at the
-/// default level. (Where the size law is `slope θ`, a whole number keeps rings regular.)
-const PANELS: f64 = 6.0;
-
-/// Panels shrink by this factor a level.
-const SHRINK: f64 = 0.75;
-
-/// The size law at the default level; see [`Grading`].
-const LAW: Grading = Grading {
-    scale: PI / PANELS,
-    far: 2.5,
-    slope: 0.5,
-    core: 0.5,
-    width: f64::INFINITY,
-    gap: f64::INFINITY,
-};
-
-/// Edge length per width of the gap in the [pieces](WIDTH_PIECES) where it matters; see [`Grading`]. Without it
-/// X11A at gap 0.001 is off by 5.8e-4, 4.5e-4, 9.1e-5 at levels 3, 4, 5; with it by 3.1e-5 and 7e-7 at levels 4
-/// and 5, for a fifth more nodes.
-const WIDTH: f64 = 30.0;
-
-/// Levels from which panels are tied to the gap's width, and the largest gap of the pieces where they are.
-const WIDTH_PIECES: (i32, f64) = (4, SEAMS[1]);
-
-/// The same beyond the last seam, where the mesh is uniform.
-const FAR_LAW: Grading = Grading {
-    scale: 1.0 / PANELS,
-    far: 2.0,
-    ..LAW
-};
-
-/// Two equal spheres by boundary elements, at a level of refinement.
+/// Two spheres by boundary elements, at a level of refinement.
 ///
 /// Panels shrink by a quarter a level, so each level has 16/9 times as many nodes.
 ///
-/// Beyond the last seam, at the gap 1.024, the loads are those of one fixed mesh, shifted so that they tend to the closed form of lone
+/// Spheres are equal, or of any radii in a [ratio](Self::of_ratio) of 1/100 to 100: then each has the mesh that it has beside its mirror image in
+/// the radical plane ([`crate::surface::mirror_gap`]), and smallest gaps are in units of the harmonic mean of the radii.
+///
+/// Beyond the last seam, at the gap 1.024 in radii of the larger sphere, the loads are those of one fixed mesh, shifted so that they tend to the closed form of lone
 /// spheres:
 ///
 /// ```text
@@ -72,6 +37,7 @@ const FAR_LAW: Grading = Grading {
 #[derive(Debug)]
 pub struct Bem {
     level: usize,
+    pieces: Pieces,
     /// That of the level, of the next coarser one and of the one after it.
     refinements: [Refinement; 3],
     solves: AtomicUsize,
@@ -80,21 +46,36 @@ pub struct Bem {
 impl Bem {
     /// The level at which every load is within 1e-4 for gaps from 0.004 and 1e-3 from 0.001, with fewer
     /// than 1,500 nodes a sphere.
-    pub const DEFAULT_LEVEL: usize = 3;
+    pub const DEFAULT_LEVEL: usize = DEFAULT_LEVEL;
 
     /// Lowest and highest level.
-    pub const LEVELS: (usize, usize) = (1, 5);
+    pub const LEVELS: (usize, usize) = LEVELS;
 
-    /// The model at a level of refinement, from [`Self::LEVELS`].
+    /// Smallest and largest radius of sphere 2 over that of sphere 1.
+    pub const RATIOS: (f64, f64) = RATIOS;
+
+    /// The model of equal spheres at a level of refinement, from [`Self::LEVELS`].
     ///
     /// # Errors
     /// [`BemError::Level`] for a level that does not exist.
     pub fn new(level: usize) -> Result<Self, BemError> {
+        Self::of_ratio(level, 1.0)
+    }
+
+    /// The model of spheres whose radii are in the `ratio` (radius 2 over radius 1), from [`Self::RATIOS`]; 1 is that of equal ones.
+    ///
+    /// # Errors
+    /// [`BemError::Level`] for a level that does not exist, [`BemError::Ratio`] for radii that are too unlike.
+    pub fn of_ratio(level: usize, ratio: f64) -> Result<Self, BemError> {
         check_level(level)?;
-        let [fine, middle, coarse] = [0, 1, 2].map(|coarser| families(level as i32 - coarser));
+        check_ratio(ratio)?;
+        let pieces = Pieces::new(ratio);
+        let [fine, middle, coarse] =
+            [0, 1, 2].map(|coarser| Refinement::new(level as i32 - coarser, &pieces));
         Ok(Self {
             level,
-            refinements: [fine?, middle?, coarse?].map(Refinement::new),
+            refinements: [fine?, middle?, coarse?],
+            pieces,
             solves: AtomicUsize::new(0),
         })
     }
@@ -111,13 +92,13 @@ impl Bem {
         self.solves.load(Ordering::Relaxed)
     }
 
-    /// The meshes used at a gap.
+    /// The meshes of sphere 1 used at a gap, those of both if they are equal.
     #[must_use]
     pub fn family(&self, gap: Gap) -> &MeshFamily {
-        self.refinements[0].family(piece_of(gap.eps()))
+        self.refinements[0].family(self.pieces.of(gap.eps()))
     }
 
-    /// The loads at a gap with the time that they took.
+    /// The loads at a gap, if sphere 1 is the active one, with the time that they took.
     ///
     /// # Errors
     /// As [`Hydrodynamics::loads`].
@@ -150,13 +131,41 @@ impl Bem {
     ) -> Result<(PairSolution, Estimates), SceneError> {
         let [fine, middle, coarse] = &self.refinements;
         let solution = self.solve_with(fine, gap, set)?;
-        let of = |refinement| {
-            self.solve_with(refinement, gap, set)
-                .map(|s| (s.loads, s.swirl))
-        };
-        let fine = (solution.loads, solution.swirl);
-        let levels = [&fine, &of(middle)?, &of(coarse)?];
-        Ok((solution, Estimates::of_levels(self.level, set, levels)))
+        let active = |of: PairSolution| ActiveLoads::of_equal(of.loads, of.swirl);
+        let of = |refinement| self.solve_with(refinement, gap, set).map(active);
+        let levels = [&active(solution), &of(middle)?, &of(coarse)?];
+        let set = solution.loads.set();
+        let of = (self.level, self.has_unlike_radii());
+        Ok((solution, Estimates::of_levels(of, set, levels)))
+    }
+
+    /// The loads by either sphere, with the time that they took. Of unlike spheres they are those of a pair without
+    /// symmetry ([`LoadSet::of_any_pair`]).
+    ///
+    /// # Errors
+    /// As [`Hydrodynamics::loads`].
+    pub fn solve_each(&self, gap: Gap, set: LoadSet) -> Result<EachSolution, SceneError> {
+        self.solve_each_with(&self.refinements[0], gap, set)
+    }
+
+    /// The same with an error estimate for each load; see [`Estimates`].
+    ///
+    /// # Errors
+    /// As [`Hydrodynamics::loads`].
+    pub fn solve_each_with_estimates(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(EachSolution, [Estimates; 2]), SceneError> {
+        let [fine, middle, coarse] = &self.refinements;
+        let of = |refinement| self.solve_each_with(refinement, gap, set);
+        let (fine, middle, coarse) = (of(fine)?, of(middle)?, of(coarse)?);
+        let estimates = [0, 1].map(|k| {
+            let levels = [&fine, &middle, &coarse].map(|of| &of.loads[k]);
+            let of = (self.level, self.has_unlike_radii());
+            Estimates::of_levels(of, levels[0].pair.set(), levels)
+        });
+        Ok((fine, estimates))
     }
 
     /// The model's own estimate of the error of each load at `gap`, absolute; see [`Estimates`].
@@ -173,7 +182,7 @@ impl Bem {
     /// As [`Hydrodynamics::loads`]; [`BemError::SingularValues`] if they cannot be found.
     pub fn conditions(&self, gap: Gap, set: LoadSet) -> Result<Vec<Condition>, BemError> {
         self.check(gap)?;
-        pair::conditions(self.family(gap), gap.eps(), set)
+        self.refinements[0].conditions(self.pieces.of(gap.eps()), gap.eps(), set)
     }
 
     /// Refuses a gap that the meshes of this level do not resolve.
@@ -181,7 +190,7 @@ impl Bem {
     /// # Errors
     /// [`BemError::GapUnresolved`] with the level that would do.
     pub fn check(&self, gap: Gap) -> Result<(), BemError> {
-        check_gap(self.level, gap)
+        self.pieces.check(self.level, gap)
     }
 
     fn solve_with(
@@ -190,10 +199,30 @@ impl Bem {
         gap: Gap,
         set: LoadSet,
     ) -> Result<PairSolution, SceneError> {
+        self.counted(gap, set, |piece| refinement.solve(piece, gap.eps(), set))
+    }
+
+    fn solve_each_with(
+        &self,
+        refinement: &Refinement,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<EachSolution, SceneError> {
+        self.counted(gap, set, |piece| {
+            refinement.solve_each(piece, gap.eps(), set)
+        })
+    }
+
+    /// What is found in the piece of a gap, if the model holds what is asked for.
+    fn counted<S>(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+        solve: impl FnOnce(usize) -> Result<(S, usize), BemError>,
+    ) -> Result<S, SceneError> {
         self.check(gap).map_err(failure)?;
         set.check()?;
-        let (solution, factorised) =
-            (refinement.solve(piece_of(gap.eps()), gap.eps(), set)).map_err(failure)?;
+        let (solution, factorised) = solve(self.pieces.of(gap.eps())).map_err(failure)?;
         self.solves.fetch_add(factorised, Ordering::Relaxed);
         Ok(solution)
     }
@@ -204,11 +233,12 @@ const NOISE: f64 = 1e-11;
 
 impl Hydrodynamics for Bem {
     fn description(&self) -> ModelDescription<'_> {
-        let smallest = smallest(self.level);
+        let smallest = self.pieces.smallest(self.level);
         ModelDescription {
+            ratio: self.pieces.ratio(),
             range: GapRange::from(smallest),
             cutoff: None,
-            seams: &SEAMS[piece_of(smallest.next_up())..],
+            seams: &self.pieces.seams()[self.pieces.of(smallest.next_up())..],
             noise: NOISE,
         }
     }
@@ -226,13 +256,32 @@ impl Hydrodynamics for Bem {
         Ok((solution.loads, solution.swirl))
     }
 
-    /// The largest of [`Bem::error_estimates`], each relative to the larger of its load and 1.
+    fn interacting_loads_of_each(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<[ActiveLoads; 2], SceneError> {
+        Ok(self.solve_each(gap, set)?.loads)
+    }
+
+    /// The largest of [`Bem::error_estimates`], each relative to the larger of its load and 1; of unlike spheres over the loads by either.
     fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
-        Ok(Some(self.solve_with_estimate(gap, set)?.1))
+        if !self.has_unlike_radii() {
+            return Ok(Some(self.solve_with_estimate(gap, set)?.1));
+        }
+        let (solution, estimates) = self.solve_each_with_estimates(gap, set)?;
+        let both = estimates.iter().zip(&solution.loads);
+        let largest = both.map(|(of, loads)| of.largest_of(loads));
+        Ok(Some(largest.fold(0.0, f64::max)))
     }
 
     fn fingerprint(&self) -> String {
-        format!("bem level {} revision {REVISION}", self.level)
+        let ratio = if self.has_unlike_radii() {
+            format!(" ratio {:?}", self.pieces.ratio())
+        } else {
+            String::new()
+        };
+        format!("bem level {}{ratio} revision {REVISION}", self.level)
     }
 }
 
@@ -247,79 +296,6 @@ pub fn difference(loads: &PairLoads, others: &PairLoads) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Gaps smaller than the first seam have the mesh of the smallest piece.
-fn pieces() -> impl Iterator<Item = (f64, f64)> {
-    let starts = std::iter::once(SMALLEST.into_iter().fold(f64::INFINITY, f64::min)).chain(SEAMS);
-    starts.zip(SEAMS.into_iter().chain([f64::INFINITY]))
-}
-
-/// A seam belongs to the smaller gaps.
-fn piece_of(eps: f64) -> usize {
-    SEAMS.iter().filter(|&&seam| seam < eps).count()
-}
-
-/// The size law of a level in a piece. Levels 0 and -1 serve only as the coarser ones of levels 1 and 2.
-fn law(level: i32, largest: f64) -> Grading {
-    let law = if largest.is_finite() { LAW } else { FAR_LAW };
-    let tied = level >= WIDTH_PIECES.0 && largest <= WIDTH_PIECES.1;
-    Grading {
-        scale: law.scale * SHRINK.powi(level - Bem::DEFAULT_LEVEL as i32),
-        width: if tied { WIDTH } else { f64::INFINITY },
-        ..law
-    }
-}
-
-fn family(level: i32, (smallest, largest): (f64, f64)) -> Result<MeshFamily, BemError> {
-    MeshFamily::new(law(level, largest), smallest, largest)
-}
-
-fn families(level: i32) -> Result<Vec<MeshFamily>, BemError> {
-    pieces().map(|piece| family(level, piece)).collect()
-}
-
-/// The family of meshes at a level for a gap.
-pub(crate) fn mesh_family(level: usize, eps: f64) -> Result<MeshFamily, BemError> {
-    check_level(level)?;
-    let piece = pieces().nth(piece_of(eps)).unwrap_or((eps, f64::INFINITY));
-    family(level as i32, piece)
-}
-
 fn failure(error: BemError) -> SceneError {
     SceneError::from_model("bem", error)
-}
-
-/// Smallest gap that a level resolves.
-pub(crate) fn smallest(level: usize) -> f64 {
-    let (lowest, highest) = Bem::LEVELS;
-    SMALLEST[level.clamp(lowest, highest) - lowest]
-}
-
-fn check_gap(level: usize, gap: Gap) -> Result<(), BemError> {
-    // Rounding of exp(ln(eps)) must not refuse the end of the range itself.
-    let resolves = |level: &usize| gap.eps() * (1.0 + 1e-12) >= smallest(*level);
-    if resolves(&level) {
-        return Ok(());
-    }
-    let (lowest, highest) = Bem::LEVELS;
-    Err(BemError::GapUnresolved {
-        spheres: None,
-        eps: gap.eps(),
-        level,
-        resolved: smallest(level),
-        needed: (lowest..=highest).find(resolves),
-        smallest: smallest(highest),
-    })
-}
-
-pub(crate) fn check_level(level: usize) -> Result<(), BemError> {
-    let (lowest, highest) = Bem::LEVELS;
-    if (lowest..=highest).contains(&level) {
-        Ok(())
-    } else {
-        Err(BemError::Level {
-            level,
-            lowest,
-            highest,
-        })
-    }
 }

@@ -4,10 +4,12 @@
 
 use std::f64::consts::PI;
 
+use bem::Bem;
 use bem::mesh::{Mesh, Nodes, hats};
-use bem::quadrature::{Point, product_rule};
-use bem::surface::{Block, Profile, Surface, Target, Work};
+use bem::quadrature::{Point, TOLERANCE, product_rule};
+use bem::surface::{Block, Profile, Surface, Target, Work, mirror_gap};
 use nalgebra::{Matrix3, Vector3};
+use scene::Gap;
 
 type Corners = [Vector3<f64>; 3];
 type Blocks = [Matrix3<f64>; 6];
@@ -158,6 +160,49 @@ fn a_panel_at_contact_is_integrated_with_the_pressures_profile() {
                 None,
                 1e-7,
             );
+        }
+    }
+}
+
+/// The largest error of an entry of a row, relative to the largest entry, at a point of a sphere of `ratio` times the radius at the gap `eps`, `theta` from contact.
+fn error_across(ratio: f64, eps: f64, theta: f64) -> f64 {
+    let mirrored = mirror_gap(eps, [1.0, ratio]);
+    let mesh = (Bem::of_ratio(1, ratio).unwrap())
+        .family(Gap::new(eps).unwrap())
+        .at(mirrored);
+    let profile = Profile::beside_mirror_image(mirrored);
+    let point = Vector3::new(
+        0.6 * ratio * theta.sin(),
+        0.8 * ratio * theta.sin(),
+        // The other sphere's centre less what the point is above it.
+        1.0 + eps + ratio * 2.0 * (0.5 * theta).sin().powi(2),
+    );
+    let [found, truth] = [TOLERANCE, 1e-13].map(|tolerance| {
+        let surface: Surface =
+            Surface::with_tolerance((mesh.clone(), profile), (&mesh, profile), tolerance);
+        let mut row = vec![Block::default(); surface.nodes().len()];
+        let target = Target {
+            point,
+            reference: point,
+            node: None,
+        };
+        surface.add_row(&target, &mut row, &mut Work::default());
+        row.into_iter().flatten().flatten().collect::<Vec<f64>>()
+    });
+    let largest = truth.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let off = found.iter().zip(&truth).map(|(a, b)| (a - b).abs());
+    off.fold(0.0, f64::max) / largest
+}
+
+#[test]
+fn panels_are_integrated_to_a_ten_millionth_on_a_sphere_of_any_other_radius() {
+    for ratio in [0.01, 0.2, 5.0, 100.0] {
+        for of_smaller in [0.01, 0.3, 3.0] {
+            for theta in [0.0, 0.01, 0.3, 2.0] {
+                let eps = of_smaller * f64::min(1.0, ratio);
+                let error = error_across(ratio, eps, theta);
+                assert!(error < 1e-7, "{error:e}: {ratio}, gap {eps}, angle {theta}");
+            }
         }
     }
 }

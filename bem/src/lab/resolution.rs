@@ -6,15 +6,18 @@
 
 use nalgebra::Vector3;
 
-use super::{Body, Pole};
+use super::Body;
+use super::poles::Pole;
+use crate::Bem;
 use crate::BemError;
-use crate::model::{Bem, mesh_family, smallest};
+use crate::pieces::smallest;
+use crate::surface::mirror_gap;
 
 /// Widest panel beside a gap, relative to the gap.
 const WIDEST: f64 = 2.0;
 
 /// Angle between a mesh's pole and the direction of a neighbour up to which the pole is turned to it, relative
-/// to the angle of the cap, `sqrt(eps)`. It is for rounding.
+/// to the angle of the cap, `sqrt(e)` of the gap e to the mirror image. It is for rounding.
 const ALIGNED: f64 = 0.01;
 
 /// Refuses spheres with a gap between any two that the meshes of the level do not resolve.
@@ -47,34 +50,64 @@ fn is_resolved(share: f64) -> bool {
 struct Contact<'a> {
     spheres: (usize, usize),
     gap: f64,
-    /// For each sphere its mesh, and the angle of the other one from its pole.
-    sides: [(&'a Pole, f64); 2],
+    sides: [Facing<'a>; 2],
+}
+
+/// One of them.
+struct Facing<'a> {
+    pole: &'a Pole,
+    /// Angle of the other one from the pole.
+    angle: f64,
+    radius: f64,
+    /// Gap to the mirror image in the place of the other one, in radii.
+    mirrored: f64,
 }
 
 impl<'a> Contact<'a> {
     fn new(spheres: (usize, usize), bodies: &[Body], poles: &'a [Pole]) -> Self {
         let (first, second) = spheres;
         let apart = bodies[second].position - bodies[first].position;
-        let side = |k: usize, towards: Vector3<f64>| {
+        let radii = [bodies[first].radius, bodies[second].radius];
+        let gap = apart.norm() - (radii[0] + radii[1]);
+        let side = |k: usize, towards: Vector3<f64>, [own, other]: [f64; 2]| {
             let axis = poles[k].rotation * Vector3::z();
-            let angle = axis.cross(&towards).norm().atan2(axis.dot(&towards));
-            (&poles[k], angle)
+            Facing {
+                pole: &poles[k],
+                angle: axis.cross(&towards).norm().atan2(axis.dot(&towards)),
+                radius: own,
+                mirrored: mirror_gap(gap, [own, other]),
+            }
         };
         Self {
             spheres,
-            gap: apart.norm() - 2.0,
-            sides: [side(first, apart), side(second, -apart)],
+            gap,
+            sides: [
+                side(first, apart, radii),
+                side(second, -apart, [radii[1], radii[0]]),
+            ],
         }
+    }
+
+    /// Harmonic mean of the radii, the unit of the smallest gaps.
+    fn mean(&self) -> f64 {
+        let [a, b] = self.sides.each_ref().map(|side| side.radius);
+        2.0 * a * b / (a + b)
     }
 
     /// Smallest gap that the meshes of a level resolve here.
     fn resolved(&self, level: usize) -> Result<f64, BemError> {
         let mut least: f64 = 0.0;
-        for (pole, angle) in &self.sides {
-            least = least.max(if *angle <= ALIGNED * self.gap.sqrt() {
-                smallest(level)
+        for Facing {
+            pole,
+            angle,
+            radius,
+            mirrored,
+        } in &self.sides
+        {
+            least = least.max(if *angle <= ALIGNED * mirrored.sqrt() {
+                smallest(level) * self.mean()
             } else {
-                mesh_family(level, pole.gap)?.edge(pole.gap, *angle) / WIDEST
+                pole.family(level)?.edge(pole.gap, *angle) * radius / WIDEST
             });
         }
         Ok(least)

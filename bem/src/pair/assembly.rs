@@ -1,153 +1,133 @@
-//! The matrices of the six symmetry classes, from the rows of the representatives.
+//! Rows of the systems, folded by the mirrors x and y.
 //!
 //! ```text
-//! A_ij = Σ_g χ(g) [ S(x_i, g x_j) + s M S(M x_i, g x_j) ] R_g
+//! A_ij = Σ_g χ(g) S(x_i, g x_j) R_g
 //! ```
 //!
-//! with the images g of the vertex j under the mirrors, their signs `χ(g) R_g`, the swap's parity s
-//! and its mirror M. To the axial classes a rank-one term is added that fixes the multiple of the
-//! normal in the density, which induces no flow (Pozrikidis 1992, section 4.2).
+//! with the images g of the vertex j under the mirrors and their signs `χ(g) R_g`. To axial systems a
+//! rank-one term is added for each sphere that fixes the multiple of the normal in its density, which induces no
+//! flow (Pozrikidis 1992, section 4.2).
 
 use std::f64::consts::PI;
 
 use rayon::prelude::*;
 
-use super::parity::{Motion, Parity};
-use nalgebra::Vector3;
-
-use crate::mesh::Orbits;
-use crate::surface::{Block, Surface, Target, Work, mirrored_z};
+use super::parity::Motion;
+use super::side::Side;
+use crate::surface::Work;
 
 /// Size of the rank-one term, about that of the single layer's own eigenvalues.
 const DEFLATION: f64 = 1.0 / (2.0 * PI);
 
-/// Unknowns of one symmetry class.
-pub struct Class {
-    /// The symmetry.
-    pub parity: Parity,
+/// The three rows of a target; those not wanted are dropped later.
+pub type Rows = [Vec<f64>; 3];
+
+/// Unknowns of one sphere for one kind of motion.
+pub struct Unknowns {
+    /// The kind of motion.
+    pub motion: Motion,
     /// Representative and component of each unknown.
-    pub unknowns: Vec<(usize, usize)>,
+    pub list: Vec<(usize, usize)>,
     /// Unknown of each component of each representative, if it has one.
     index: Vec<[Option<usize>; 3]>,
 }
 
-impl Class {
-    /// Numbers the unknowns of a class.
-    pub fn new(parity: Parity, nodes: &[Vector3<f64>], orbits: &Orbits) -> Self {
-        let mut unknowns = Vec::new();
+impl Unknowns {
+    /// Numbers the unknowns.
+    pub fn new<const H: usize>(motion: Motion, side: &Side<'_, H>) -> Self {
+        let mut list = Vec::new();
         let mut index = Vec::new();
-        for (j, &vertex) in orbits.representatives.iter().enumerate() {
-            let p = nodes[vertex];
+        for (j, &vertex) in side.orbits.representatives.iter().enumerate() {
+            let p = side.surface.nodes()[vertex];
             // Vertices of positive coordinates only: these are on the plane, or clearly off it.
-            let allowed = parity.allowed(p.x <= 0.0, p.y <= 0.0);
+            let allowed = motion.allowed(p.x <= 0.0, p.y <= 0.0);
             index.push([0, 1, 2].map(|component| {
                 allowed[component].then(|| {
-                    unknowns.push((j, component));
-                    unknowns.len() - 1
+                    list.push((j, component));
+                    list.len() - 1
                 })
             }));
         }
         Self {
-            parity,
-            unknowns,
+            motion,
+            list,
             index,
         }
     }
 
-    /// Adds one target's rows to `rows` (three of them, those not wanted are dropped later).
-    fn fold(&self, orbits: &Orbits, own: &[Block], other: &[Block], rows: &mut [Vec<f64>; 3]) {
-        let swap = self.parity.swap_signs();
-        for (image, (own, other)) in orbits.images.iter().zip(own.iter().zip(other)) {
-            let signs = self.parity.signs(image);
+    /// Adds one target's rows to `rows`, in the columns from `first` on; `entry(v, a, c)` is the velocity along a by the density along c
+    /// at the vertex v.
+    pub fn fold<const H: usize>(
+        &self,
+        side: &Side<'_, H>,
+        entry: impl Fn(usize, usize, usize) -> f64,
+        first: usize,
+        rows: &mut Rows,
+    ) {
+        for (v, image) in side.orbits.images.iter().enumerate() {
+            let signs = self.motion.signs(image);
             for (c, column) in self.index[image.of].iter().enumerate() {
                 let Some(column) = *column else { continue };
                 for (a, row) in rows.iter_mut().enumerate() {
-                    row[column] += signs[c] * (own[a][c] + swap[a] * other[a][c]);
+                    row[first + column] += signs[c] * entry(v, a, c);
                 }
             }
         }
     }
 
-    fn deflate<const H: usize>(
+    /// Adds the rank-one term to the rows of the sphere's own representative `i`.
+    pub fn deflate<const H: usize>(
         &self,
-        surface: &Surface<H>,
-        orbits: &Orbits,
-        vertex: usize,
-        rows: &mut [Vec<f64>; 3],
+        side: &Side<'_, H>,
+        weights: &[f64],
+        i: usize,
+        first: usize,
+        rows: &mut Rows,
     ) {
-        let normal = surface.nodes()[vertex];
-        for (column, weight) in self.deflation(surface, orbits).enumerate() {
+        let normal = side.surface.nodes()[side.orbits.representatives[i]];
+        for (column, weight) in weights.iter().enumerate() {
             for (a, row) in rows.iter_mut().enumerate() {
-                row[column] += normal[a] * weight;
+                row[first + column] += normal[a] * weight;
             }
         }
     }
 
-    /// What multiplies the normal in the rank-one term, for each unknown; nothing for classes that have none.
-    pub fn deflation<const H: usize>(
-        &self,
-        surface: &Surface<H>,
-        orbits: &Orbits,
-    ) -> impl Iterator<Item = f64> {
-        let deflated = self.parity.motion == Motion::Axial;
-        let unknowns = self.unknowns.iter().filter(move |_| deflated);
-        unknowns.map(|&(j, c)| {
-            let v = orbits.representatives[j];
-            DEFLATION * orbits.sizes[j] as f64 * surface.deflation(v)[c]
-        })
+    /// What multiplies the normal in the rank-one term, for each unknown; nothing for motions that have none.
+    pub fn deflation<const H: usize>(&self, side: &Side<'_, H>) -> Vec<f64> {
+        let deflated = self.motion == Motion::Axial;
+        let unknowns = self.list.iter().filter(|_| deflated);
+        unknowns
+            .map(|&(j, c)| {
+                let v = side.orbits.representatives[j];
+                DEFLATION * side.orbits.sizes[j] as f64 * side.surface.deflation(v)[c]
+            })
+            .collect()
+    }
+
+    /// The rows of representative `i` that belong to an unknown, one after the other.
+    pub fn wanted(&self, i: usize, rows: &Rows) -> Vec<f64> {
+        let mut out = Vec::with_capacity(3 * rows[0].len());
+        for (row, _) in (rows.iter().zip(&self.index[i])).filter(|(_, unknown)| unknown.is_some()) {
+            out.extend_from_slice(row);
+        }
+        out
     }
 }
 
-/// Matrices of all classes, each row by row.
+/// Matrices of `systems` systems, each row by row, from the rows that each target has in each of them.
 ///
 /// Each target is one task, which sums in a fixed order: the same bits for any number of threads.
-pub fn assemble<const H: usize>(
-    surface: &Surface<H>,
-    reference: &[Vector3<f64>],
-    orbits: &Orbits,
-    classes: &[Class],
-    distance: f64,
-    reference_distance: f64,
+pub fn gathered(
+    targets: usize,
+    systems: usize,
+    rows_of: impl Fn(usize) -> (Vec<Vec<f64>>, Work) + Sync + Send,
 ) -> (Vec<Vec<f64>>, Work) {
-    let rows: Vec<(Vec<Vec<f64>>, Work)> = orbits
-        .representatives
-        .par_iter()
-        .enumerate()
-        .map(|(i, &vertex)| {
-            let point = surface.nodes()[vertex];
-            let at = reference[vertex];
-            let mut own = vec![Block::default(); orbits.images.len()];
-            let mut other = own.clone();
-            let mut work = Work::default();
-            let target = Target {
-                point,
-                reference: at,
-                node: Some(vertex),
-            };
-            surface.add_row(&target, &mut own, &mut work);
-            let target = Target {
-                point: mirrored_z(&point, distance),
-                reference: mirrored_z(&at, reference_distance),
-                node: None,
-            };
-            surface.add_row(&target, &mut other, &mut work);
-            let rows = classes
-                .iter()
-                .map(|class| {
-                    let mut rows = [(); 3].map(|()| vec![0.0; class.unknowns.len()]);
-                    class.fold(orbits, &own, &other, &mut rows);
-                    class.deflate(surface, orbits, vertex, &mut rows);
-                    wanted(&class.index[i], rows)
-                })
-                .collect();
-            (rows, work)
-        })
-        .collect();
+    let rows: Vec<(Vec<Vec<f64>>, Work)> = (0..targets).into_par_iter().map(rows_of).collect();
     let mut total = Work::default();
     for (_, work) in &rows {
         total += *work;
     }
-    let matrices = (0..classes.len())
+    let matrices = (0..systems)
         .into_par_iter()
         .map(|k| {
             rows.iter()
@@ -158,14 +138,7 @@ pub fn assemble<const H: usize>(
     (matrices, total)
 }
 
-fn wanted(index: &[Option<usize>; 3], rows: [Vec<f64>; 3]) -> Vec<f64> {
-    let mut out = Vec::with_capacity(3 * rows[0].len());
-    for (row, _) in rows
-        .iter()
-        .zip(index)
-        .filter(|(_, unknown)| unknown.is_some())
-    {
-        out.extend_from_slice(row);
-    }
-    out
+/// Rows of zeros.
+pub fn zeros(columns: usize) -> Rows {
+    [(); 3].map(|()| vec![0.0; columns])
 }

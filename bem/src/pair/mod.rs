@@ -1,6 +1,6 @@
-//! Two equal spheres in the pair frame: sphere 1 at the origin, sphere 2 at `(2 + eps) z`.
+//! Two spheres in the pair frame: sphere 1 at the origin, sphere 2 on the side of `+z`.
 //!
-//! The mirrors x and y and the swap (sphere 2 is sphere 1 mirrored in the plane between them) split
+//! Of equal spheres the mirrors x and y and the swap (sphere 2 is sphere 1 mirrored in the plane between them) split
 //! the dense system into eight by parity. Six carry load, three kinds of motion times two swaps:
 //!
 //! | | x | y | loads |
@@ -12,10 +12,21 @@
 //! Only vertices of sphere 1 with `x >= 0`, `y >= 0` are unknowns, so each system has about an eighth
 //! of the full one's unknowns, and takes 1/512 of its factorisation. Classes that a set of
 //! loads does not call for are not assembled.
+//!
+//! Spheres of unlike radii have the mirrors x and y alone: three systems, each with the unknowns of both spheres.
 
+mod active;
 mod assembly;
-mod loads;
+mod condition;
+mod equal;
 mod parity;
+mod response;
+mod side;
+mod solution;
+mod unlike;
 
-pub use loads::{Condition, PairSolution, Seconds, conditions, solve};
+pub use condition::Condition;
+pub use equal::{conditions, solve};
 pub use parity::{Motion, Parity, Swap};
+pub use solution::{EachSolution, PairSolution, Seconds};
+pub use unlike::{UnlikeMeshes, conditions_unlike, solve_unlike};

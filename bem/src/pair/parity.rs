@@ -18,6 +18,58 @@ pub enum Motion {
     Twist,
 }
 
+impl Motion {
+    /// All kinds that carry load.
+    pub const ALL: [Self; 3] = [Self::Axial, Self::Transverse, Self::Twist];
+
+    /// Whether a set of loads calls for it, of whatever sphere.
+    pub(crate) fn is_in(self, set: LoadSet) -> bool {
+        let slip = set.swirl > 0;
+        match self {
+            Self::Axial => set.axial.any(),
+            Self::Transverse => set.transverse.any() || slip,
+            Self::Twist => set.twist || slip,
+        }
+    }
+
+    /// Signs under the mirrors x and y.
+    fn mirrors(self) -> [f64; 2] {
+        match self {
+            Self::Axial => [1.0, 1.0],
+            Self::Transverse => [-1.0, 1.0],
+            Self::Twist => [-1.0, -1.0],
+        }
+    }
+
+    /// Signs of the three components of the field at an image, relative to the representative.
+    pub(crate) fn signs(self, image: &Image) -> [f64; 3] {
+        let [x, y] = self.mirrors();
+        let mut signs = [1.0; 3];
+        for (mirrored, axis, parity) in [(image.mirror_x, 0, x), (image.mirror_y, 1, y)] {
+            if mirrored {
+                signs = signs.map(|s| s * parity);
+                signs[axis] = -signs[axis];
+            }
+        }
+        signs
+    }
+
+    /// Which components may differ from zero at a point on the planes `x = 0` or `y = 0`.
+    pub(crate) fn allowed(self, on_x: bool, on_y: bool) -> [bool; 3] {
+        let [x, y] = self.mirrors();
+        let mut allowed = [true; 3];
+        for (on_plane, axis, parity) in [(on_x, 0, x), (on_y, 1, y)] {
+            if on_plane {
+                for (component, keep) in allowed.iter_mut().enumerate() {
+                    // An even field has no normal component there, an odd one only that.
+                    *keep &= (component == axis) == (parity < 0.0);
+                }
+            }
+        }
+        allowed
+    }
+}
+
 /// What sphere 2 does: the mirror image of what sphere 1 does, or its opposite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Swap {
@@ -75,48 +127,11 @@ impl Parity {
         }
     }
 
-    /// Signs under the mirrors x and y.
-    fn mirrors(self) -> [f64; 2] {
-        match self.motion {
-            Motion::Axial => [1.0, 1.0],
-            Motion::Transverse => [-1.0, 1.0],
-            Motion::Twist => [-1.0, -1.0],
-        }
-    }
-
-    /// Signs of the three components of the field at an image, relative to the representative.
-    pub(crate) fn signs(self, image: &Image) -> [f64; 3] {
-        let [x, y] = self.mirrors();
-        let mut signs = [1.0; 3];
-        for (mirrored, axis, parity) in [(image.mirror_x, 0, x), (image.mirror_y, 1, y)] {
-            if mirrored {
-                signs = signs.map(|s| s * parity);
-                signs[axis] = -signs[axis];
-            }
-        }
-        signs
-    }
-
     /// Signs of the three components on sphere 2, relative to the mirrored point of sphere 1.
     pub(crate) fn swap_signs(self) -> [f64; 3] {
         match self.swap {
             Swap::Mirrored => [1.0, 1.0, -1.0],
             Swap::Opposite => [-1.0, -1.0, 1.0],
         }
-    }
-
-    /// Which components may differ from zero at a point on the planes `x = 0` or `y = 0`.
-    pub(crate) fn allowed(self, on_x: bool, on_y: bool) -> [bool; 3] {
-        let [x, y] = self.mirrors();
-        let mut allowed = [true; 3];
-        for (on_plane, axis, parity) in [(on_x, 0, x), (on_y, 1, y)] {
-            if on_plane {
-                for (component, keep) in allowed.iter_mut().enumerate() {
-                    // An even field has no normal component there, an odd one only that.
-                    *keep &= (component == axis) == (parity < 0.0);
-                }
-            }
-        }
-        allowed
     }
 }

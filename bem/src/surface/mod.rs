@@ -27,7 +27,7 @@ use kernel::{RUNS, Sums};
 use panel::Panel;
 use work::Stopwatch;
 
-pub use profile::Profile;
+pub use profile::{Profile, mirror_gap};
 pub use work::{Share, Work};
 
 /// Points of the rule for a target at a corner, along its rays and across them.
