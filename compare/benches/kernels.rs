@@ -187,6 +187,23 @@ fn stepper(bencher: Bencher<'_, '_>) {
     });
 }
 
+/// Exact loads of both spheres at a gap of 0.01 radii of the smaller one, by the ratio of the radii.
+mod exact_loads {
+    use super::*;
+
+    #[divan::bench(args = [1.0, 2.0, 10.0, 100.0], max_time = 3)]
+    fn of_each(bencher: Bencher<'_, '_>, ratio: f64) {
+        let exact = Exact::of_ratio(ratio).unwrap();
+        let gap = Gap::new(0.01).unwrap();
+        let set = LoadSet::all(2);
+        bencher.bench(|| {
+            exact
+                .interacting_loads_of_each(black_box(gap), set)
+                .unwrap()
+        });
+    }
+}
+
 /// Boundary elements, by refinement level.
 mod boundary_elements {
     use bem::Bem;

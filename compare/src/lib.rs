@@ -17,6 +17,7 @@ pub mod hard_cases;
 mod loads_file;
 mod method;
 mod model;
+mod model_options;
 mod no_run;
 pub mod numbers;
 pub mod output;
@@ -31,7 +32,8 @@ pub use defaults::{Defaults, EncounterDefaults, OffsetDefaults};
 pub use error::{CompareError, FailureKind};
 pub use loads_file::{LoadsFile, LoadsFileError};
 pub use method::Method;
-pub use model::{BEM_TABLE_TOLERANCE, EXACT_TABLE_TOLERANCE, Model, ModelOptions};
+pub use model::{BEM_TABLE_TOLERANCE, EXACT_TABLE_TOLERANCE, Model};
+pub use model_options::{ModelOptions, Reads};
 pub use no_run::{FAILED, NoRun, SKIPPED};
 pub use numbers::{Numbers, parse_numbers};
 pub use output::{OutputFolder, csv_text};
@@ -39,6 +41,6 @@ pub use scene_file::{Family, FamilyScene, Mistake, Mistakes, SceneFile};
 pub use study::encounters::{Encounter, EncounterRow, encounters};
 pub use study::offset::{OffsetRow, offsets, with_offsets};
 pub use study::{
-    ComparisonRow, LoadErrorRow, LoadRow, MeshErrorRow, comparison, load_errors, load_rows,
-    mesh_errors,
+    ComparisonRow, LoadErrorRow, LoadRow, MeshErrorRow, SlopeRow, comparison, contact_slopes,
+    load_errors, load_rows, mesh_errors,
 };

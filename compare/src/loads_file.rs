@@ -289,6 +289,7 @@ impl Hydrodynamics for LoadsFile {
     /// The range of the gaps in the file; the noise is the largest error estimate that it states.
     fn description(&self) -> ModelDescription<'_> {
         ModelDescription {
+            ratio: 1.0,
             noise: self.noise,
             ..ModelDescription::smooth(self.range)
         }

@@ -92,9 +92,9 @@ impl Method {
     /// ```
     /// use compare::{Method, Model, ModelOptions};
     ///
-    /// let method = Method::register("lone", Box::new(scene::Isolated))?;
+    /// let method = Method::register("lone", Box::new(scene::Isolated::EQUAL))?;
     /// assert_eq!(Method::named("lone"), Some(method));
-    /// assert!(Method::register("exact", Box::new(scene::Isolated)).is_err());
+    /// assert!(Method::register("exact", Box::new(scene::Isolated::EQUAL)).is_err());
     /// let model = Model::set_up(method, &ModelOptions::default())?;
     /// assert_eq!(model.method().name(), "lone");
     /// # Ok::<(), compare::CompareError>(())
@@ -148,14 +148,15 @@ impl Method {
         }
     }
 
-    /// Refuses a gap outside the model's range. Boundary elements of level `mesh` have a smallest gap.
+    /// Refuses a gap outside the model's range, of spheres whose radii are in the given `ratio`. Boundary elements of level `mesh` have a
+    /// smallest gap.
     ///
     /// # Errors
     /// [`CompareError::Bem`] with the level that resolves the gap, or if `mesh` is not a level;
     /// [`CompareError::Scene`] for a gap outside the range of a model from outside.
-    pub fn check_gap(self, mesh: usize, gap: Gap) -> Result<(), CompareError> {
+    pub fn check_gap(self, mesh: usize, ratio: f64, gap: Gap) -> Result<(), CompareError> {
         match self {
-            Self::Bem => Ok(Bem::new(mesh)?.check(gap)?),
+            Self::Bem => Ok(Bem::of_ratio(mesh, ratio)?.check(gap)?),
             Self::Other(other) => Ok(other.hydrodynamics().range().check(gap)?),
             Self::Lt | Self::LtCorrected | Self::Exact | Self::Isolated => Ok(()),
         }

@@ -1,13 +1,12 @@
 //! Hydrodynamic models as the commands use them: closed forms, tables, or a solve for every load.
 
 use std::ops::Deref;
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 
 use bem::Bem;
 use exact::Exact;
-use lt::{Form, Lubrication};
+use lt::{Form, Lubrication, UnlikeLubrication};
 use scene::{
     Configuration, Gap, Hydrodynamics, Isolated, LoadSet, Plan, PlanRow, Rates, Run, RunOptions,
     Sample, Scene, SceneError, TableOptions, TableSummary, Tabulated, rates, run_observed,
@@ -15,7 +14,7 @@ use scene::{
 
 use crate::scene_file::Hydrodynamics as InFiles;
 use crate::watch::{Pieces, Progress};
-use crate::{CompareError, Method, NoRun};
+use crate::{CompareError, Method, ModelOptions, NoRun};
 
 /// Interpolation error of the tables of boundary elements, an error of velocity by unit slip. It is far
 /// below the error of the boundary elements, and more than small enough for deflections within 0.01 degrees.
@@ -31,50 +30,6 @@ const RATES: (usize, usize) = (2000, 15);
 /// Right-hand sides in one timing, and number of timings, for a model that solves for every load.
 const SOLVED_RATES: (usize, usize) = (1, 2);
 
-/// Options for setting up the models.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ModelOptions {
-    /// Level of the mesh of boundary elements.
-    pub mesh: usize,
-    /// Whether the model solves at every gap instead of reading from a table.
-    pub direct: bool,
-    /// Loads whose balance the tables hold; by default all loads of the modes 1 and 2. What else a table holds changes no
-    /// number.
-    pub tabulated: LoadSet,
-    /// Folder in which tables are kept from one run to the next; `None` keeps no tables.
-    pub cache: Option<PathBuf>,
-}
-
-impl Default for ModelOptions {
-    fn default() -> Self {
-        Self {
-            mesh: Bem::DEFAULT_LEVEL,
-            direct: false,
-            tabulated: LoadSet::all(2),
-            cache: dirs::cache_dir().map(|folder| folder.join("squirmers")),
-        }
-    }
-}
-
-impl ModelOptions {
-    /// These options, with tables of only what the motion of the given scenes reads.
-    ///
-    /// # Errors
-    /// The error of the first scene that is not valid.
-    pub fn for_scenes(
-        self,
-        scenes: impl IntoIterator<Item = Result<Scene, CompareError>>,
-    ) -> Result<Self, CompareError> {
-        let mut read: Option<LoadSet> = None;
-        for scene in scenes {
-            let set = Plan::new(&scene?)?.load_set();
-            read = Some(read.map_or(set, |read| read.union(set)));
-        }
-        let tabulated = read.unwrap_or(LoadSet::axial(0));
-        Ok(Self { tabulated, ..self })
-    }
-}
-
 /// A model chosen at run time.
 pub(crate) type AnyModel = Arc<dyn Hydrodynamics>;
 
@@ -84,6 +39,8 @@ enum Kind {
     Lubrication(Lubrication),
     Table(Box<Tabulated>),
     Direct(AnyModel),
+    /// A closed form of unlike radii.
+    Closed(AnyModel),
     /// A model from outside this workspace.
     Other(&'static dyn Hydrodynamics),
 }
@@ -92,53 +49,33 @@ enum Kind {
 pub struct Model {
     method: Method,
     mesh: usize,
-    kind: Kind,
+    /// The ratio of the radii that is named first, and the model of it, which answers where none is named.
+    first: (f64, Kind),
+    others: Vec<(f64, Kind)>,
     set_up_seconds: f64,
 }
 
 impl Model {
-    /// Sets up `method`. Loads or builds its table, and shows the progress, unless `options` ask for direct solves.
+    /// Sets up `method` for each ratio of radii that `options` name. Loads or builds its tables, and shows the progress, unless they ask for
+    /// direct solves. A model from outside is of its own ratio alone: runs of other ones fail.
     ///
     /// # Errors
     /// [`CompareError`] if the mesh level is not allowed or a solve fails; [`CompareError::Input`] for a model from outside
     /// that lacks one of the loads to be tabulated.
     pub fn set_up(method: Method, options: &ModelOptions) -> Result<Self, CompareError> {
         let started = Instant::now();
-        let kind = match method {
-            Method::Isolated => Kind::Direct(Arc::new(Isolated)),
-            Method::Other(other) => {
-                let model = other.hydrodynamics();
-                check_loads(model, options.tabulated).map_err(|reason| {
-                    CompareError::input("--method", method, reason.to_string())
-                })?;
-                Kind::Other(model)
-            }
-            Method::Lt => Kind::Lubrication(Lubrication::new(Form::Published)),
-            Method::LtCorrected => Kind::Lubrication(Lubrication::new(Form::Corrected)),
-            Method::Exact if options.direct => Kind::Direct(Arc::new(Exact::new())),
-            Method::Exact => {
-                let table = tabulate(
-                    Arc::new(Exact::new()),
-                    method,
-                    EXACT_TABLE_TOLERANCE,
-                    options,
-                )?;
-                Kind::Table(Box::new(table))
-            }
-            Method::Bem => {
-                let bem = Bem::new(options.mesh)?;
-                if options.direct {
-                    Kind::Direct(Arc::new(bem))
-                } else {
-                    let table = tabulate(Arc::new(bem), method, BEM_TABLE_TOLERANCE, options)?;
-                    Kind::Table(Box::new(table))
-                }
-            }
+        let of =
+            |&ratio: &f64| Ok::<_, CompareError>((ratio, Kind::set_up(method, ratio, options)?));
+        let (first, others) = match (method, options.ratios.split_first()) {
+            (Method::Other(other), _) => (other.hydrodynamics().description().ratio, &[][..]),
+            (_, Some((first, others))) => (*first, others),
+            (_, None) => (1.0, &[][..]),
         };
         Ok(Self {
             method,
             mesh: options.mesh,
-            kind,
+            first: of(&first)?,
+            others: others.iter().map(of).collect::<Result<_, _>>()?,
             set_up_seconds: started.elapsed().as_secs_f64(),
         })
     }
@@ -168,24 +105,24 @@ impl Model {
     /// Whether the model solves for every load.
     #[must_use]
     pub fn is_direct(&self) -> bool {
-        matches!(self.kind, Kind::Direct(_)) && self.method != Method::Isolated
+        matches!(self.first(), Kind::Direct(_))
     }
 
     /// How the table was built; `None` for a model without a table.
     #[must_use]
     pub fn table(&self) -> Option<TableSummary> {
-        match &self.kind {
+        match self.first() {
             Kind::Table(table) => Some(table.summary()),
-            Kind::Lubrication(_) | Kind::Direct(_) | Kind::Other(_) => None,
+            _ => None,
         }
     }
 
     /// The loads whose balance the model's table holds; `None` for a model without a table.
     #[must_use]
     pub fn tabulated(&self) -> Option<LoadSet> {
-        match &self.kind {
+        match self.first() {
             Kind::Table(table) => Some(table.set()),
-            Kind::Lubrication(_) | Kind::Direct(_) | Kind::Other(_) => None,
+            _ => None,
         }
     }
 
@@ -220,9 +157,9 @@ impl Model {
         options: &RunOptions,
         observe: &mut dyn FnMut(&Sample),
     ) -> Result<Run, SceneError> {
-        match &self.kind {
+        match self.of(plan) {
             Kind::Lubrication(model) => model.run(plan, options, observe),
-            _ => run_observed(plan, self.hydrodynamics(), options, observe),
+            other => run_observed(plan, other.hydrodynamics(), options, observe),
         }
     }
 
@@ -236,9 +173,9 @@ impl Model {
         configuration: &Configuration,
         times: usize,
     ) -> Result<Rates, SceneError> {
-        match &self.kind {
+        match self.of(plan) {
             Kind::Lubrication(model) => model.rates(plan, configuration, times),
-            _ => rates(plan, self.hydrodynamics(), configuration, times),
+            other => rates(plan, other.hydrodynamics(), configuration, times),
         }
     }
 
@@ -269,15 +206,81 @@ impl Model {
     /// Every effect of a plan, in words.
     #[must_use]
     pub fn explain(&self, plan: &Plan) -> Vec<PlanRow> {
-        plan.rows(self.hydrodynamics())
+        plan.rows(self.of(plan).hydrodynamics())
+    }
+
+    /// Fingerprint of the models of all ratios of radii, in one line.
+    #[must_use]
+    pub fn fingerprint(&self) -> String {
+        let each = self.of_each_ratio().map(Hydrodynamics::fingerprint);
+        each.collect::<Vec<_>>().join("; ")
+    }
+
+    /// The models of all ratios of radii.
+    pub(crate) fn of_each_ratio(&self) -> impl Iterator<Item = &dyn Hydrodynamics> {
+        let all = std::iter::once(&self.first).chain(&self.others);
+        all.map(|(_, kind)| kind.hydrodynamics() as &dyn Hydrodynamics)
+    }
+
+    fn first(&self) -> &Kind {
+        &self.first.1
+    }
+
+    /// The model of the radii of a plan; another one, which refuses them, where there is none.
+    fn of(&self, plan: &Plan) -> &Kind {
+        let asked = plan.scene().ratio();
+        #[expect(clippy::float_cmp, reason = "a model is for one ratio, exactly")]
+        let found = self.others.iter().find(|(ratio, _)| *ratio == asked);
+        found.map_or(self.first(), |(_, kind)| kind)
+    }
+}
+
+impl Kind {
+    fn set_up(method: Method, ratio: f64, options: &ModelOptions) -> Result<Self, CompareError> {
+        #[expect(clippy::float_cmp, reason = "equal means exactly equal")]
+        let equal = ratio == 1.0;
+        let lubrication = |form| {
+            Ok(if equal {
+                Self::Lubrication(Lubrication::new(form))
+            } else {
+                Self::Closed(Arc::new(UnlikeLubrication::new(form, ratio)?))
+            })
+        };
+        let solved = |model: AnyModel, tolerance| {
+            Ok(if options.direct {
+                Self::Direct(model)
+            } else {
+                Self::Table(Box::new(tabulate(model, method, tolerance, options)?))
+            })
+        };
+        match method {
+            Method::Isolated => Ok(Self::Closed(Arc::new(Isolated::of_ratio(ratio)))),
+            Method::Other(other) => {
+                let model = other.hydrodynamics();
+                check_loads(model, options.tabulated).map_err(|reason| {
+                    CompareError::input("--method", method, reason.to_string())
+                })?;
+                Ok(Self::Other(model))
+            }
+            Method::Lt => lubrication(Form::Published),
+            Method::LtCorrected => lubrication(Form::Corrected),
+            Method::Exact => {
+                let exact = Exact::of_ratio(ratio).map_err(SceneError::from)?;
+                solved(Arc::new(exact), EXACT_TABLE_TOLERANCE)
+            }
+            Method::Bem => {
+                let bem = Bem::of_ratio(options.mesh, ratio)?;
+                solved(Arc::new(bem), BEM_TABLE_TOLERANCE)
+            }
+        }
     }
 
     fn hydrodynamics(&self) -> &(dyn Hydrodynamics + 'static) {
-        match &self.kind {
-            Kind::Lubrication(model) => model,
-            Kind::Table(model) => model.as_ref(),
-            Kind::Direct(model) => model.as_ref(),
-            Kind::Other(model) => *model,
+        match self {
+            Self::Lubrication(model) => model,
+            Self::Table(model) => model.as_ref(),
+            Self::Direct(model) | Self::Closed(model) => model.as_ref(),
+            Self::Other(model) => *model,
         }
     }
 }
@@ -287,7 +290,7 @@ impl Deref for Model {
     type Target = dyn Hydrodynamics + 'static;
 
     fn deref(&self) -> &Self::Target {
-        self.hydrodynamics()
+        self.first().hydrodynamics()
     }
 }
 

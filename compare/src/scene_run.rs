@@ -113,7 +113,7 @@ pub struct Summary {
     pub end_time: f64,
     /// Smallest gap, in radii.
     pub min_gap: f64,
-    /// Interaction time (the time at gaps up to 1), in `a/V_s`.
+    /// Interaction time (the time at gaps up to the smaller radius), in `a/V_s`.
     pub contact_time: f64,
     /// Deflection of the first squirmer, in degrees.
     pub deflection1_deg: f64,

@@ -3,9 +3,11 @@
 use crate::error::CommandError;
 use crate::figures::{self, FigureError};
 use compare::numbers::written;
+use compare::study::cargo::CargoRow;
 use compare::study::encounters::Drawn;
 use compare::study::maps::{FateRow, Pair, ScatterRow, TrustRow, TrustShares};
 use compare::study::panels::PanelRun;
+use compare::study::ratios::RatioRow;
 use compare::{Approach, Encounter, Method, OffsetRow};
 
 /// A picture and the name of its file.
@@ -117,6 +119,27 @@ pub(crate) fn of_trust_against_offset(
             suffix("g", alike[0].g)
         );
         picture(name, figures::trust_against_offset(alike))
+    });
+    drawn.filter_map(Result::transpose).collect()
+}
+
+/// One picture of the shares against the ratio of the radii for each method.
+pub(crate) fn of_ratios(rows: &[RatioRow]) -> Result<Vec<Picture>, CommandError> {
+    let drawn = (rows.chunk_by(|a, b| a.method == b.method)).map(|alike| {
+        let name = format!("ratios-{}.svg", alike[0].method);
+        picture(name, figures::ratios(alike))
+    });
+    drawn.filter_map(Result::transpose).collect()
+}
+
+/// One picture of the displacements of cargo for each swimmer.
+pub(crate) fn of_cargo(rows: &[CargoRow]) -> Result<Vec<Picture>, CommandError> {
+    let mut rows = rows.to_vec();
+    rows.sort_by(|a, b| a.beta.total_cmp(&b.beta));
+    let same = |a: &CargoRow, b: &CargoRow| a.beta.total_cmp(&b.beta).is_eq();
+    let drawn = rows.chunk_by(same).map(|alike| {
+        let name = format!("cargo-beta{}.svg", written(alike[0].beta));
+        picture(name, figures::cargo(alike))
     });
     drawn.filter_map(Result::transpose).collect()
 }

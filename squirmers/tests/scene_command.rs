@@ -304,3 +304,42 @@ fn help_has_an_example() {
         assert!(help.contains(&format!("Example:\n  squirmers {command} fixtures/scenes/")));
     }
 }
+
+#[test]
+fn unlike_radii_are_explained_and_drawn_to_scale() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("unlike.toml");
+    let text = "hydrodynamics = \"exact\"\nrepulsion = \"paper\"\n[[squirmer]]\nposition = [-2.0, 0.3]\norientation = 0.0\nbeta = 1.0\n\
+                [[squirmer]]\nposition = [2.0, 0.0]\norientation = 170.0\nbeta = 1.0\nradius = 2.0\n[run]\nend_time = 2.0\n";
+    std::fs::write(&scene, text).unwrap();
+    let run = |command: &str| {
+        let output = Command::new(env!("CARGO_BIN_EXE_squirmers"))
+            .args([command, scene.to_str().unwrap(), "--out"])
+            .arg(folder.path().join("out"))
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{output:?}");
+        let words = String::from_utf8(output.stdout).unwrap();
+        words.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let explained = run("explain");
+    for said in [
+        "X11A; X21A;",
+        "Y12B_torque",
+        "read 26 mobilities",
+        "radii are unlike",
+    ] {
+        assert!(explained.contains(said), "{said}: {explained}");
+    }
+    run("run");
+    let svg = std::fs::read_to_string(folder.path().join("out/run.svg")).unwrap();
+    assert!(svg.contains("radius 2"));
+    let radii: Vec<f64> = (svg.split("<circle").skip(1))
+        .filter_map(|mark| mark.split("r=\"").nth(1)?.split('"').next()?.parse().ok())
+        .collect();
+    // That of the legend, then start and end of the first and of the second.
+    let [_, one, _, two, _] = radii[..] else {
+        panic!("{radii:?}")
+    };
+    assert!((two / one - 2.0).abs() < 0.01, "{radii:?}");
+}

@@ -6,9 +6,11 @@ use super::{Column, Columns, UNITS};
 use crate::cost::{CostRow, Finding, Recommendation};
 use crate::hard_cases::HardCaseRow;
 use crate::scene_run::SampleRow;
+use crate::study::cargo::CargoRow;
 use crate::study::maps::{BoundExample, BoundRow, FateRow, ScatterRow, TrustRow, TrustShares};
 use crate::study::panels::TrajectoryRow;
-use crate::study::{ComparisonRow, LoadErrorRow, LoadRow, MeshErrorRow};
+use crate::study::ratios::RatioRow;
+use crate::study::{ComparisonRow, LoadErrorRow, LoadRow, MeshErrorRow, SlopeRow};
 use crate::sweep::SweepTail;
 use crate::{EncounterRow, Method, OffsetRow};
 
@@ -42,7 +44,7 @@ const fn file<R: Columns>(
 }
 
 /// Every CSV file. Files with the same kind of row stand together.
-pub const FILES: [CsvFile; 24] = [
+pub const FILES: [CsvFile; 27] = [
     file::<LoadRow>("loads.csv", &["loads"], "Loads at given gaps."),
     file::<EncounterRow>(
         "head-on.csv",
@@ -138,6 +140,21 @@ pub const FILES: [CsvFile; 24] = [
         &["report"],
         "Errors of the boundary elements by the level of their mesh.",
     ),
+    file::<RatioRow>(
+        "ratios.csv",
+        &["ratios", "report"],
+        "Squirmers of unlike radii: shares of outcomes, and trust in lubrication theory.",
+    ),
+    file::<CargoRow>(
+        "cargo.csv",
+        &["cargo", "report"],
+        "Displacements of a passive sphere by a swimmer that passes.",
+    ),
+    file::<SlopeRow>(
+        "slopes.csv",
+        &["report"],
+        "How fast the loads by squirming grow as the gap closes.",
+    ),
     file::<ComparisonRow>(
         "comparison.csv",
         &["report"],
@@ -231,7 +248,8 @@ mod tests {
                     "{named}"
                 );
                 // The classes of trust are shares, which are named by their limits in degrees.
-                let angle = column.name.ends_with("_deg") && file.name != "trust-offset.csv";
+                let angle = column.name.ends_with("_deg")
+                    && !["trust-offset.csv", "ratios.csv"].contains(&file.name);
                 assert!(!angle || column.unit == "deg", "{named}");
             }
         }

@@ -10,6 +10,7 @@ use super::number::{List, Number, Reader, Rule};
 use super::point::Point;
 use super::table::{Table, word};
 use crate::Method;
+use crate::numbers::written;
 
 /// The hydrodynamic model of a scene, and how it is set up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,14 +92,15 @@ pub(super) fn hydrodynamics(
 const NEGLIGIBLE_FORCE: f64 = 1e-12;
 
 impl Hydrodynamics {
-    /// Lubrication theory flies freely beyond its cut: repulsion must have died out there.
-    fn check_reach(&self, repulsion: Repulsion) -> Result<(), String> {
+    /// Lubrication theory flies freely beyond its cut, in radii of the `smaller` squirmer: repulsion must have died out there.
+    fn check_reach(&self, repulsion: Repulsion, smaller: f64) -> Result<(), String> {
         let lubrication = matches!(self.method, Method::Lt | Method::LtCorrected);
-        if lubrication && repulsion.force(Gap::from_ln(lt::CUTOFF.ln())) > NEGLIGIBLE_FORCE {
+        let cut = lt::CUTOFF * smaller;
+        if lubrication && repulsion.force(Gap::from_ln(cut.ln())) > NEGLIGIBLE_FORCE {
             return Err(format!(
                 "lubrication theory ends at a gap of {}: choose kappa2 so large that the repulsion has died out \
                  there, or other hydrodynamics",
-                lt::CUTOFF
+                written(cut)
             ));
         }
         Ok(())
@@ -107,7 +109,7 @@ impl Hydrodynamics {
     /// Refuses a start at which the model has no answer.
     pub(super) fn check_start(&self, scene: &Scene) -> Result<(), String> {
         let gap = scene.gap().map_err(|error| error.to_string())?;
-        (self.method.check_gap(self.mesh, gap))
+        (self.method.check_gap(self.mesh, scene.ratio(), gap))
             .map_err(|error| format!("the start is too near: {error}"))
     }
 }
@@ -149,12 +151,8 @@ pub(super) fn repulsion(
 }
 
 impl RepulsionTemplate {
-    /// The repulsion at a point, if the model can have it.
-    pub(super) fn at(
-        &self,
-        hydrodynamics: Option<Hydrodynamics>,
-        point: &mut Point<'_>,
-    ) -> Option<Repulsion> {
+    /// The repulsion at a point.
+    pub(super) fn at(&self, point: &mut Point<'_>) -> Option<Repulsion> {
         let mut kappa = |number: &Option<Number>, otherwise| match number {
             Some(number) => point.value(number),
             None => Some(otherwise),
@@ -162,10 +160,19 @@ impl RepulsionTemplate {
         let kappa1 = kappa(&self.kappa1, Repulsion::PAPER.kappa1());
         let kappa2 = kappa(&self.kappa2, Repulsion::PAPER.kappa2());
         let repulsion = Repulsion::new(kappa1?, kappa2?);
-        let repulsion = point.accept(repulsion, &self.span, "repulsion")?;
-        let reach = hydrodynamics.map_or(Ok(()), |model| model.check_reach(repulsion));
-        point.accept(reach, &self.span, "repulsion")?;
-        Some(repulsion)
+        point.accept(repulsion, &self.span, "repulsion")
+    }
+
+    /// Refuses a repulsion that the model cannot have between squirmers of which the smaller one has the radius `smaller`.
+    pub(super) fn check_reach(
+        &self,
+        model: Hydrodynamics,
+        repulsion: Repulsion,
+        smaller: f64,
+        point: &mut Point<'_>,
+    ) -> Option<()> {
+        let reach = model.check_reach(repulsion, smaller);
+        point.accept(reach, &self.span, "repulsion")
     }
 }
 

@@ -132,6 +132,11 @@ impl Family {
         self.hydrodynamics
     }
 
+    /// Whether the file gives a squirmer a radius, so that scenes may have unlike ones.
+    pub(crate) fn has_radii(&self) -> bool {
+        (self.template.squirmers.iter()).any(|squirmer| squirmer.radius().is_some())
+    }
+
     /// The family under a hydrodynamic model: starts and repulsion that the model has no answer for are mistakes.
     #[must_use]
     pub fn under(self, hydrodynamics: Hydrodynamics) -> Self {
@@ -165,12 +170,24 @@ impl Template {
         let (one, two) = (squirmers.next(), squirmers.next());
         squirmers.for_each(drop);
         let repulsion = self.repulsion.as_ref();
-        let repulsion = repulsion.and_then(|repulsion| repulsion.at(hydrodynamics, point));
+        let repulsion = repulsion.and_then(|repulsion| repulsion.at(point));
         let gravity = self.gravity.as_ref();
         let gravity: Option<Gravity> =
             gravity.and_then(|direction| effects::gravity_at(direction, point));
         let run = self.run.at(point);
         let ((body1, pose1), (body2, pose2)) = (one??, two??);
+        if let (Err(error), Some(first)) = (body1.check_first(), self.squirmers.first()) {
+            // A radius that is not 1 was given.
+            let radius = first.radius()?;
+            point.wrong(radius.span.clone(), &radius.key, &error.to_string());
+            return None;
+        }
+        if let (Some(given), Some(repulsion), Some(model)) =
+            (&self.repulsion, repulsion, hydrodynamics)
+        {
+            let smaller = body1.radius().min(body2.radius());
+            given.check_reach(model, repulsion, smaller, point)?;
+        }
         let scene = Scene::new([body1, body2], [pose1, pose2], repulsion, gravity)
             .map_err(|error| error.to_string())
             .and_then(|scene| {

@@ -22,7 +22,7 @@ use scene::{Plan, RunOptions, Scene};
 pub use effects::Hydrodynamics;
 pub use family::{Family, FamilyScene};
 pub use mistakes::{Mistake, Mistakes};
-pub(crate) use paper::paper_scene;
+pub(crate) use paper::{paper_point, paper_scene};
 pub use run::SAMPLE_INTERVAL;
 
 use crate::{Method, ModelOptions};
@@ -74,13 +74,14 @@ impl SceneFile {
         })
     }
 
-    /// How to set up its model for `plan`, with a table of the loads that it reads, kept as in `options`.
+    /// How to set up its model for the radii of `plan`, with a table of the loads that it reads, kept as in `options`.
     #[must_use]
     pub fn model_options(&self, plan: &Plan, options: ModelOptions) -> ModelOptions {
         ModelOptions {
             mesh: self.mesh,
             direct: self.direct,
             tabulated: plan.load_set(),
+            ratios: vec![plan.scene().ratio()],
             ..options
         }
     }

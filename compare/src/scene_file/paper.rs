@@ -1,13 +1,13 @@
-//! The encounters of the paper as families.
+//! The families that ship: the encounters of the paper, and cargo.
 
 use std::sync::LazyLock;
 
 use scene::Scene;
 
-use super::Family;
+use super::{Family, FamilyScene};
 use crate::CompareError;
 
-/// The paper's families, read once. All of them can be read: a test holds it.
+/// The families that ship, read once. All of them can be read: a test holds it.
 static PAPER: LazyLock<Vec<(&str, Family)>> = LazyLock::new(|| {
     (Family::PAPER.iter())
         .filter_map(|(name, text)| Some((*name, Family::parse(text).ok()?)))
@@ -16,7 +16,7 @@ static PAPER: LazyLock<Vec<(&str, Family)>> = LazyLock::new(|| {
 
 impl Family {
     /// The names and the texts of the paper's families, which are part of the program.
-    pub const PAPER: [(&str, &str); 3] = fixtures::FAMILIES;
+    pub const PAPER: [(&str, &str); 4] = fixtures::FAMILIES;
 
     /// The family of the paper with this name; `None` if there is none.
     #[must_use]
@@ -31,11 +31,18 @@ impl Family {
 /// # Errors
 /// [`CompareError::FamilyPoint`] for numbers that are not finite, and for spheres that overlap.
 pub(crate) fn paper_scene(name: &str, values: &[(&str, f64)]) -> Result<Scene, CompareError> {
+    paper_point(name, values).map(|point| point.scene)
+}
+
+/// The same with how it is run.
+///
+/// # Errors
+/// As [`paper_scene`].
+pub(crate) fn paper_point(name: &str, values: &[(&str, f64)]) -> Result<FamilyScene, CompareError> {
     let family = Family::named(name).ok_or_else(|| {
-        CompareError::input("a family", name, "give the name of a family of the paper")
+        CompareError::input("a family", name, "give the name of a family that ships")
     })?;
-    let point = family.scene(values).map_err(CompareError::FamilyPoint)?;
-    Ok(point.scene)
+    family.scene(values).map_err(CompareError::FamilyPoint)
 }
 
 #[cfg(test)]

@@ -25,7 +25,7 @@ enum Direction {
     Vector(List),
 }
 
-/// Slip and bottom-heaviness, and where they stand.
+/// Slip, bottom-heaviness and radius, and where they stand.
 #[derive(Clone, Debug)]
 struct Body {
     span: Range<usize>,
@@ -33,6 +33,7 @@ struct Body {
     slip: Option<Slip>,
     swirl: Option<List>,
     heaviness: Option<Number>,
+    radius: Option<Number>,
 }
 
 /// How slip is given.
@@ -113,13 +114,14 @@ const ANGLE: Rule = Rule {
     ..FINITE
 };
 
-/// `modes`, or `swimming_speed` and `beta`; `swirl` and `bottom_heaviness`.
+/// `modes`, or `swimming_speed` and `beta`; `swirl`, `bottom_heaviness` and `radius`.
 fn body(table: &mut Table<'_, '_>, reader: &mut Reader<'_>) -> Body {
     let modes = table.numbers("modes", reader, 0..=MAX_MODES);
     let swirl = table.numbers("swirl", reader, 0..=MAX_MODES);
     let speed = table.number("swimming_speed", reader, &FINITE);
     let beta = table.number("beta", reader, &FINITE);
     let heaviness = table.number("bottom_heaviness", reader, &FINITE);
+    let radius = table.number("radius", reader, &FINITE);
     let slip = match (modes, speed, beta) {
         (Some(modes), None, None) => Some(Slip::Modes(modes)),
         (Some(_), speed, beta) => {
@@ -143,10 +145,16 @@ fn body(table: &mut Table<'_, '_>, reader: &mut Reader<'_>) -> Body {
         slip,
         swirl,
         heaviness,
+        radius,
     }
 }
 
 impl SquirmerTemplate {
+    /// Its radius, if it is given.
+    pub(super) fn radius(&self) -> Option<&Number> {
+        self.body.radius.as_ref()
+    }
+
     /// The squirmer at a point, and where it starts.
     pub(super) fn at(&self, point: &mut Point<'_>) -> Option<(Squirmer, Pose)> {
         let position = self.position.as_ref().and_then(|list| point.vector(list));
@@ -185,10 +193,23 @@ impl Body {
             Some(number) => point.value(number),
             None => Some(0.0),
         };
+        // It stands at a place of its own.
+        let radius = match &self.radius {
+            Some(number) => {
+                let radius = point.value(number)?;
+                let body = Squirmer::new(&[]).and_then(|body| body.with_radius(radius));
+                point
+                    .accept(body, &number.span, &number.key)
+                    .map(|body| body.radius())
+            }
+            None => Some(1.0),
+        };
         let (slip, (swirl, modes), heaviness) = (slip?, swirl?, heaviness?);
+        let radius = radius?;
         let body = slip
             .and_then(|body| body.with_swirl(&swirl[..modes]))
-            .and_then(|body| body.bottom_heavy(heaviness));
+            .and_then(|body| body.bottom_heavy(heaviness))
+            .and_then(|body| body.with_radius(radius));
         point.accept(body, &self.span, &self.key)
     }
 }

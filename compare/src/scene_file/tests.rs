@@ -233,3 +233,37 @@ fn the_mistakes_of_the_reference_page_are_those_that_are_printed() {
     let shown = blocks(page, "text")[0].trim_end();
     assert_eq!(shown, mistakes.to_string());
 }
+
+#[test]
+fn a_second_squirmer_has_a_radius_and_the_first_is_the_unit_of_length() {
+    let with = |first: &str, second: &str| {
+        START
+            .replacen("beta = 1\n", &format!("beta = 1\n{first}\n"), 1)
+            .replace("[1.5, 0]", "[4.5, 0]")
+            + second
+    };
+    let file = SceneFile::parse(&with("radius = 1.0", "radius = 2.5")).unwrap();
+    let radii = file.scene.squirmers.map(|s| s.radius().to_bits());
+    assert_eq!(radii, [1.0, 2.5].map(f64::to_bits));
+    let gap = file.scene.gap().unwrap().eps();
+    assert!((gap - 2.5).abs() < 1e-14, "{gap}");
+    let first = mistakes(&with("radius = 2", ""));
+    assert!(
+        first[0].starts_with("6:10: squirmer[0].radius:") && first[0].contains("unit of length"),
+        "{first:?}"
+    );
+    let second = mistakes(&with("", "radius = 200"));
+    assert!(
+        second[0].starts_with("11:10: squirmer[1].radius:") && second[0].contains("0.01 to 100"),
+        "{second:?}"
+    );
+}
+
+#[test]
+fn repulsion_must_have_died_out_at_the_cut_of_the_smaller_squirmer() {
+    let scene = format!("repulsion = \"paper\"\n{START}radius = 0.1\n");
+    let found = mistakes(&scene);
+    assert!(found[0].contains("ends at a gap of 0.1"), "{found:?}");
+    let weaker = "repulsion = { kappa1 = 0.1, kappa2 = 1000.0 }";
+    assert!(SceneFile::parse(&scene.replace("repulsion = \"paper\"", weaker)).is_ok());
+}

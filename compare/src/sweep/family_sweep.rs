@@ -47,7 +47,7 @@ columns! {
         /// Smallest gap during the run.
         #[unit = "a"]
         min_gap: f64,
-        /// Interaction time: the time that the pair spends at gaps up to one radius.
+        /// Interaction time: the time that the pair spends at gaps up to one radius, of the smaller squirmer.
         #[unit = "a/V_s"]
         tau: f64,
         /// Outcome of the run.

@@ -135,9 +135,18 @@ impl Arithmetic {
                 };
                 let mut bits = crc32fast::Hasher::new();
                 for eps in GAPS {
-                    // A model answers at no gap beyond its range.
-                    if let Ok(mobility) = model.mobility(Gap::new(eps)?, read) {
-                        for (_, value) in mobility.named(read) {
+                    let gap = Gap::new(eps)?;
+                    for of_ratio in model.of_each_ratio() {
+                        // A model answers at no gap beyond its range.
+                        let named = if of_ratio.has_unlike_radii() {
+                            let mobility = of_ratio.interacting_mobility_of_each(gap, read);
+                            mobility.map(|mobility| mobility.named(read))
+                        } else {
+                            of_ratio
+                                .mobility(gap, read)
+                                .map(|mobility| mobility.named(read))
+                        };
+                        for (_, value) in named.unwrap_or_default() {
                             bits.update(&value.to_bits().to_le_bytes());
                         }
                     }

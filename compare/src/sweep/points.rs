@@ -1,17 +1,20 @@
 //! The points of a sweep: a family and the parameters that are varied.
 
-use scene::{LoadSet, Plan, RunOptions};
+use scene::{LoadSet, RunOptions};
 
 use super::Axis;
 use super::SweepTail;
 use crate::columns::{self, Columns as _};
-use crate::{CompareError, Family, Numbers};
+use crate::{CompareError, Family, Numbers, Reads};
 
 /// Largest number of points of a sweep.
 const MOST_POINTS: usize = 1 << 40;
 
 /// Largest number of points for which every point is checked for the loads that it reads.
 const LOOKED_UP: usize = 10_000;
+
+/// Largest number of points that are checked for the ratio of their radii.
+const MOST_RATIOS: usize = 10_000_000;
 
 /// The points of a sweep: a family and the parameters that are varied. The last parameter varies fastest.
 #[derive(Clone, Debug)]
@@ -134,35 +137,40 @@ impl Points {
         numbers
     }
 
-    /// The loads that the motion reads at all points. For very many points, only typical points are checked, and the
+    /// The loads that the motion reads at all points, and all ratios of radii. For very many points, only typical points are checked, and the
     /// loads of a pair without symmetry are added.
     ///
     /// # Errors
     /// [`CompareError::FamilyPoint`] for a point whose scene is not valid; [`CompareError::Scene`].
-    pub fn load_set(&self) -> Result<LoadSet, CompareError> {
+    pub fn reads(&self) -> Result<Reads, CompareError> {
         let count = self.count();
         let numbers = if count <= LOOKED_UP {
             (0..count).collect()
         } else {
             self.typical()
         };
-        let mut read: Option<LoadSet> = None;
+        let mut read = Reads::default();
         for number in numbers {
             let values = self.values(number);
             let point = (self.family.scene(&values)).map_err(CompareError::FamilyPoint)?;
-            let set = Plan::new(&point.scene)?.load_set();
-            read = Some(read.map_or(set, |read| read.union(set)));
+            read.add(&point.scene)?;
         }
-        let read = read.unwrap_or(LoadSet::axial(0));
-        Ok(if count <= LOOKED_UP {
-            read
-        } else {
-            LoadSet {
+        if count > LOOKED_UP {
+            read.loads = read.loads.map(|read| LoadSet {
                 twist: read.twist,
                 swirl: read.swirl,
                 ..LoadSet::planar(read.modes)
+            });
+            // A ratio of radii that no model is set up for would be a run without a result.
+            if self.family.has_radii() {
+                for number in 0..count.min(MOST_RATIOS) {
+                    if let Ok(point) = self.family.scene(&self.values(number)) {
+                        read.add_ratio(point.scene.ratio());
+                    }
+                }
             }
-        })
+        }
+        Ok(read)
     }
 
     /// Options of the run of a point, from the options of its file.
@@ -250,15 +258,36 @@ mod tests {
     #[test]
     fn a_sweep_reads_the_loads_of_all_its_points() {
         // Two equal squirmers side by side are their own mirror image; one above the other they are not.
-        let alone = points(&[]).unwrap().load_set().unwrap();
-        let both = points(&[("y", &[0.0, 1.0])]).unwrap().load_set().unwrap();
+        let read = |axes: &[(&str, &[f64])]| points(axes).unwrap().reads().unwrap().loads.unwrap();
+        let alone = read(&[]);
+        let both = read(&[("y", &[0.0, 1.0])]);
         assert_ne!(alone, both);
         assert!(both.holds(alone));
         let many: Vec<f64> = (0..200).map(|i| f64::from(i) / 200.0).collect();
         let far: Vec<f64> = (0..200).map(|i| 3.0 + f64::from(i) / 200.0).collect();
-        let many = points(&[("y", &many), ("x", &far)]).unwrap();
-        assert!(many.count() > LOOKED_UP);
-        assert!(many.load_set().unwrap().holds(both));
+        let axes: [(&str, &[f64]); 2] = [("y", &many), ("x", &far)];
+        assert!(points(&axes).unwrap().count() > LOOKED_UP);
+        assert!(read(&axes).holds(both));
+    }
+
+    #[test]
+    fn a_sweep_sets_models_up_for_all_its_radii() {
+        let family = format!("{FAMILY}\nradius = \"lambda\"").replacen(
+            "[parameters]",
+            "[parameters]\nlambda = 1.0",
+            1,
+        );
+        let reads = |radii: &[f64], others: usize| {
+            let others: Vec<f64> = (0..others).map(|i| f64::from(i as u32)).collect();
+            let vary = [("beta", others), ("lambda", radii.to_vec())];
+            let vary = vary.map(|(name, values)| (name.to_owned(), Numbers(values)));
+            let points = Points::new(Family::parse(&family).unwrap(), &vary, AS_IN_FILE);
+            points.unwrap().reads().unwrap().ratios
+        };
+        assert_eq!(reads(&[0.5, 1.0, 1.5], 2), [0.5, 1.0, 1.5]);
+        // Too many points to look at each for its loads.
+        let many: Vec<f64> = (0..150).map(|i| 0.1 + 0.01 * f64::from(i)).collect();
+        assert_eq!(reads(&many, 100), many);
     }
 
     #[test]
@@ -279,7 +308,7 @@ mod tests {
     #[test]
     fn a_point_that_is_no_scene_is_named_before_anything_runs() {
         let points = points(&[("x", &[1.5, 3.0])]).unwrap();
-        let error = points.load_set().unwrap_err();
+        let error = points.reads().unwrap_err();
         assert!(matches!(error, CompareError::FamilyPoint(_)));
         assert!(error.to_string().contains("x = 1.5"), "{error}");
     }

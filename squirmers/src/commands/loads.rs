@@ -3,33 +3,39 @@
 use scene::{Gap, LoadSet};
 
 use super::many::{PRINTED, print_rest};
-use super::shared::model_options;
+use super::shared::{checked_ratios, model_options};
 use crate::arguments::{GeneralArguments, ModelArguments};
 use crate::error::CommandError;
 use crate::terminal::print_rows;
 use compare::numbers::{rounded, written};
 use compare::output::{OutputFolder, csv_text};
-use compare::{Method, Numbers, load_rows};
+use compare::{Method, ModelOptions, Numbers, load_rows};
 
 pub(super) fn run(
     gaps: &Numbers,
+    ratios: &Numbers,
     set: LoadSet,
     arguments: &ModelArguments,
     general: &GeneralArguments,
 ) -> Result<(), CommandError> {
     let (methods, options) = model_options(arguments, &Method::DEFAULT, general)?;
+    let options = ModelOptions {
+        ratios: checked_ratios(ratios.0.clone())?,
+        ..options
+    };
     let gaps: Vec<_> = (gaps.0.iter())
-        .map(|&eps| gap(eps, &methods, options.mesh))
+        .map(|&eps| gap(eps, &methods, &options))
         .collect::<Result<_, _>>()?;
     // Several of these commands may write at once, because each writes a whole file.
     let out = OutputFolder::open_beside_others(&general.out)?;
     let rows = load_rows(&methods, &gaps, set, &options)?;
     out.write("loads.csv", &csv_text(&rows)?)?;
     print_rows(
-        &["method", "gap", "load", "value", "error estimate"],
+        &["method", "ratio", "gap", "load", "value", "error estimate"],
         rows.iter().take(PRINTED).map(|row| {
             vec![
                 row.method.to_string(),
+                written(row.ratio),
                 written(row.gap),
                 row.name.clone(),
                 rounded(row.value, 9),
@@ -42,7 +48,7 @@ pub(super) fn run(
 }
 
 /// A gap that every method resolves.
-fn gap(eps: f64, methods: &[Method], mesh: usize) -> Result<Gap, CommandError> {
+fn gap(eps: f64, methods: &[Method], options: &ModelOptions) -> Result<Gap, CommandError> {
     let refused = |allowed: String| CommandError::input("--gap", format!("{eps:?}"), allowed);
     let gap = Gap::new(eps).map_err(|_| {
         let allowed =
@@ -50,8 +56,10 @@ fn gap(eps: f64, methods: &[Method], mesh: usize) -> Result<Gap, CommandError> {
         refused(allowed.to_owned())
     })?;
     for method in methods {
-        let checked = method.check_gap(mesh, gap);
-        checked.map_err(|error| refused(error.to_string()))?;
+        for &ratio in &options.ratios {
+            let checked = method.check_gap(options.mesh, ratio, gap);
+            checked.map_err(|error| refused(error.to_string()))?;
+        }
     }
     Ok(gap)
 }

@@ -12,8 +12,7 @@ pub(super) fn checked_count(beta: &[f64], dx: &[f64], dz: &[f64]) -> Result<usiz
         .saturating_mul(dx.len())
         .saturating_mul(dz.len());
     if count > MOST_RUNS {
-        let allowed =
-            format!("a sweep has at most {MOST_RUNS} combinations of --beta, --dx and --dz");
+        let allowed = format!("a sweep has at most {MOST_RUNS} combinations of its lists");
         return Err(CommandError::input("a sweep of", count, allowed));
     }
     Ok(count)

@@ -10,6 +10,7 @@ pub(crate) mod maps;
 mod scene;
 mod shared;
 mod sweep;
+pub(crate) mod unlike;
 
 use ::scene::LoadSet;
 use clap::Subcommand;
@@ -25,16 +26,18 @@ use hard_cases::HardCaseArguments;
 use maps::{MapArguments, TrustArguments};
 use shared::{highest, model_options, sweep_options};
 use sweep::{MergeArguments, SweepArguments};
+use unlike::{CargoArguments, RatioArguments};
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Loads of the pair at given gaps: resistance scalars, and loads of squirming and swirl modes
     #[command(
         after_help = "Example:\n  squirmers loads --gap 1,0.1,0.01 --method lt,bem --direct\n  \
-                            squirmers loads --gap 0.1 --modes 3 --swirl 2 --method exact --direct"
+                            squirmers loads --gap 0.1 --modes 3 --swirl 2 --method exact --direct\n  \
+                            squirmers loads --gap 0.1 --ratio 0.5,2 --method exact"
     )]
     Loads {
-        /// Gaps eps = |x2-x1|/a - 2, each greater than 0
+        /// Gaps between the surfaces, in radii of sphere 1, each greater than 0
         #[arg(long, value_name = "LIST", value_parser = parse_numbers, allow_hyphen_values = true)]
         gap: Numbers,
         /// Highest squirming mode
@@ -43,6 +46,9 @@ pub(crate) enum Command {
         /// Highest swirl mode; 0 for none
         #[arg(long, value_name = "N", default_value_t = 0, value_parser = parse_whole, allow_hyphen_values = true)]
         swirl: usize,
+        /// Radii of sphere 2 over that of sphere 1, from 0.01 to 100; the gap is in radii of sphere 1
+        #[arg(long, value_name = "LIST", default_value = "1", value_parser = parse_numbers, allow_hyphen_values = true)]
+        ratio: Numbers,
         #[command(flatten)]
         models: ModelArguments,
     },
@@ -93,6 +99,18 @@ pub(crate) enum Command {
     #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
     #[command(mut_arg("time_limit", maps::time_limit))]
     Trust(TrustArguments),
+    /// Squirmers of unlike radii: outcomes over the incoming angles, and trust in lubrication theory
+    #[command(
+        after_help = "Example:\n  squirmers ratios --ratio 0.2,1,5 --beta 5 --beta2 -5,5 --grid 40"
+    )]
+    #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
+    #[command(mut_arg("time_limit", maps::time_limit))]
+    Ratios(RatioArguments),
+    /// How far a swimmer that passes a passive sphere of any radius moves it
+    #[command(
+        after_help = "Example:\n  squirmers cargo --beta 0 --ratio 0.5,2 --b 0.1:4:0.3 --method lt,exact"
+    )]
+    Cargo(CargoArguments),
     /// One scene from its file: trajectory, picture, summary
     #[command(
         after_help = "Example:\n  squirmers run fixtures/scenes/fig6-head-on-dx1.toml --out out"
@@ -138,11 +156,12 @@ pub(crate) fn run(
             gap,
             modes,
             swirl,
+            ratio,
             models,
         } => {
             let set = LoadSet::all(highest("--modes", *modes)?);
             let set = set.with_swirl(highest("--swirl", *swirl)?);
-            loads::run(gap, set, models, general)
+            loads::run(gap, ratio, set, models, general)
         }
         Command::HeadOn(given) => encounters::encounters(Approach::HeadOn, given, general),
         Command::Orthogonal(given) => encounters::encounters(Approach::Orthogonal, given, general),
@@ -155,6 +174,8 @@ pub(crate) fn run(
         Command::BottomHeavy { models, runs } => bottom_heavy::run(models, runs, general),
         Command::HardCases(cases) => hard_cases::run(cases, general),
         Command::Trust(map) => maps::trust(map, general),
+        Command::Ratios(given) => unlike::ratios(given, general),
+        Command::Cargo(given) => unlike::cargo(given, general),
         Command::Run(run) => scene::run(run, general),
         Command::Explain(explain) => scene::explain(explain, general),
         Command::Sweep(given) => sweep::run(given, general),

@@ -12,7 +12,7 @@ use crate::arguments::GeneralArguments;
 use crate::error::CommandError;
 use crate::streams::{print_error, print_line};
 use crate::terminal::{print_rows, words};
-use compare::numbers::{rounded, size};
+use compare::numbers::{rounded, size, written};
 use compare::scene_run::{self, SampleRow, Summary};
 use compare::{CompareError, Model, SceneFile};
 
@@ -104,12 +104,13 @@ pub(super) fn run(
 }
 
 fn print_summary(summary: &Summary, run: &Run, rows: &[SampleRow]) {
+    let [one, two] = run.start.radii;
     let mut lines = vec![
         ["outcome".to_owned(), summary.outcome.clone()],
         ["end time [a/V_s]".to_owned(), rounded(summary.end_time, 6)],
         ["smallest gap [a]".to_owned(), rounded(summary.min_gap, 6)],
         [
-            "time at gaps up to 1".to_owned(),
+            format!("time at gaps up to {}", written(one.min(two))),
             rounded(summary.contact_time, 6),
         ],
         [
@@ -196,7 +197,7 @@ fn cost_in_words(model: &Model, plan: &Plan) -> String {
         Some(table) => format!(
             "{stages}, which read {} mobilities from a table. Building the table took {} solves, each of a part of the \
              balance; its interpolation error is {}. It is kept for other scenes.",
-            plan.mobility_set().count(),
+            plan.mobility_count(),
             table.evaluations,
             size(table.interpolation_error)
         ),

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use ::scene::{MAX_MODES, RunOptions};
+use ::scene::{MAX_MODES, RunOptions, Squirmer};
 use compare::numbers::written;
 use compare::scene_file::SAMPLE_INTERVAL;
 use compare::sweep::SweepOptions;
@@ -39,6 +39,18 @@ pub(super) fn set_up(
     (methods.iter())
         .map(|&method| Ok(Model::set_up(method, options)?))
         .collect()
+}
+
+/// Ratios of radii, if they are allowed.
+pub(super) fn checked_ratios(ratios: Vec<f64>) -> Result<Vec<f64>, CommandError> {
+    for ratio in &ratios {
+        // The radius of the second sphere, that of the first being 1.
+        let sphere = Squirmer::new(&[]).and_then(|sphere| sphere.with_radius(*ratio));
+        sphere.map_err(|error| {
+            CommandError::input("--ratio", format!("{ratio:?}"), error.to_string())
+        })?;
+    }
+    Ok(ratios)
 }
 
 /// The tolerance, if it is allowed.

@@ -93,10 +93,7 @@ pub(super) fn run(
     };
     let points = Points::new(family, &arguments.vary, choices)?;
     let out = general.output()?;
-    let options = ModelOptions {
-        tabulated: points.load_set()?,
-        ..options
-    };
+    let options = options.for_reads(points.reads()?);
     let models = set_up(&methods, &options)?;
     let sweep = FamilySweep {
         points: &points,

@@ -6,8 +6,10 @@ use super::tests::encounter;
 use super::*;
 use compare::cost::{CostRow, Part};
 use compare::scene_run::SampleRow;
+use compare::study::cargo::CargoRow;
 use compare::study::maps::{FateRow, TrustShares};
 use compare::study::panels::{PanelCase, PanelRun};
+use compare::study::ratios::RatioRow;
 use compare::{Encounter, LoadErrorRow, NoRun, OffsetRow};
 
 /// Number of panels that show "no data".
@@ -278,4 +280,85 @@ fn paths_far_apart_are_not_drawn_in_a_strip() {
     let height = far.split_once(" height=\"").unwrap().1;
     let height: f64 = height.split_once('"').unwrap().0.parse().unwrap();
     assert!(height > 250.0, "{height}");
+}
+
+fn ratio_row(ratio: f64, scattered: f64) -> RatioRow {
+    RatioRow {
+        method: Method::Lt,
+        beta1: 5.0,
+        beta2: -5.0,
+        ratio,
+        scattered,
+        standoff: 0.0,
+        pairwise: 1.0 - scattered,
+        orbiting: 0.0,
+        undecided: 0.0,
+        scattered_exact: 1.0,
+        standoff_exact: 0.0,
+        pairwise_exact: 0.0,
+        orbiting_exact: 0.0,
+        undecided_exact: 0.0,
+        within_5_deg: scattered,
+        within_15_deg: 0.0,
+        within_45_deg: 0.0,
+        beyond_45_deg: 0.0,
+        same_outcome: 0.0,
+        other_outcome: 1.0 - scattered,
+        failed: 0.0,
+        points: 100,
+    }
+}
+
+#[test]
+fn shares_of_no_one_or_a_thousand_ratios_are_drawn() {
+    assert!(matches!(ratios(&[]), Err(FigureError::Empty { .. })));
+    let one = ratios(&[ratio_row(2.0, 0.25)]).unwrap();
+    has_no_stray_number(&one);
+    assert_eq!(empty_panels(&one), 0);
+    assert!(one.contains("β = 5 and −5"), "{one}");
+    let failed = RatioRow {
+        failed: 1.0,
+        other_outcome: f64::NAN,
+        ..ratio_row(2.0, f64::NAN)
+    };
+    has_no_stray_number(&ratios(&[failed]).unwrap());
+    let many: Vec<_> = (1..=1000)
+        .map(|k| ratio_row(0.05 * f64::from(k), 0.5))
+        .collect();
+    let many = ratios(&many).unwrap();
+    has_no_stray_number(&many);
+    // Names of places that have no room are left out.
+    assert!(many.matches(">0.05<").count() == 3 && !many.contains(">0.1<"));
+}
+
+fn cargo_row(ratio: f64, b: f64, along: f64) -> CargoRow {
+    CargoRow {
+        method: Method::Lt,
+        beta: 1.0,
+        ratio,
+        b,
+        along,
+        across: -along,
+        deflection_deg: 3.0,
+        min_gap: 0.1,
+        tau: 2.0,
+        outcome: "scattered".to_owned(),
+        reach: 30.0,
+        beyond: 0.0,
+    }
+}
+
+#[test]
+fn displacements_of_no_one_or_a_thousand_cargoes_are_drawn() {
+    assert!(matches!(cargo(&[]), Err(FigureError::Empty { .. })));
+    for row in [cargo_row(2.0, 0.5, 0.3), cargo_row(2.0, 0.5, f64::NAN)] {
+        let bound = row.along.is_nan();
+        let one = cargo(&[row]).unwrap();
+        has_no_stray_number(&one);
+        assert_eq!(one.contains("the pair stays bound"), bound);
+    }
+    let many: Vec<_> = (0..1000)
+        .map(|k| cargo_row(f64::from(k % 20), f64::from(k / 20), 1.0 / f64::from(k + 1)))
+        .collect();
+    has_no_stray_number(&cargo(&many).unwrap());
 }

@@ -6,6 +6,7 @@
 //! [`FigureError::Empty`].
 
 mod canvas;
+mod cargo;
 mod deflection;
 #[cfg(test)]
 mod empty_tests;
@@ -17,6 +18,7 @@ mod number;
 mod offset;
 mod panels;
 mod range;
+mod ratios;
 mod scene_run;
 mod style;
 #[cfg(test)]
@@ -33,12 +35,14 @@ use compare::{Approach, Method};
 
 use number::number;
 
+pub use cargo::cargo;
 pub use deflection::deflection;
 pub use fates::fates;
 pub use load_errors::load_errors;
 pub use map::scatter;
 pub use offset::offset;
 pub use panels::panels;
+pub use ratios::ratios;
 pub use scene_run::scene_run;
 pub use trajectories::trajectories;
 pub use trust::{trust, trust_against_offset};

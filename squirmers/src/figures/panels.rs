@@ -122,7 +122,7 @@ fn draw(panel: &mut Panel<'_>, run: &PanelRun) {
     }
     for (k, path) in paths.iter().enumerate() {
         if let Some((_, (at, heading))) = path.first() {
-            panel.sphere(*at, *heading, colour(k));
+            panel.sphere(*at, 1.0, *heading, colour(k));
         }
         let line: Vec<_> = path.iter().map(|(_, (at, _))| *at).collect();
         panel.line(&line, stroke(k));

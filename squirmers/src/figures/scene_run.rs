@@ -18,7 +18,7 @@ const PLOT: (f64, f64) = (400.0, 250.0);
 const TALLEST: f64 = 560.0;
 const LEAST: f64 = 170.0;
 
-/// Room around the paths, in radii.
+/// Room around the paths, in radii of the squirmer whose path it is.
 const ROOM: f64 = 1.5;
 
 /// Smallest gap that is drawn. Pairs at smaller gaps are in contact.
@@ -43,7 +43,10 @@ pub fn scene_run(scene: &Scene, rows: &[SampleRow], spatial: bool) -> Result<Str
         .chain([*last])
         .collect();
     let views: &[View] = if spatial { &[TOP, SIDE] } else { &[TOP] };
-    let windows: Vec<_> = views.iter().map(|view| window(&shown, view)).collect();
+    let radii = [0, 1].map(|k| scene.squirmers[k].radius());
+    let windows: Vec<_> = (views.iter())
+        .map(|view| window(&shown, view, radii))
+        .collect();
     let sizes: Vec<_> = windows.iter().map(size).collect();
     let paths = sizes.iter().map(|size| size.1).fold(0.0, f64::max);
     let cell = LEFT + PLOT.0 + RIGHT;
@@ -67,7 +70,7 @@ pub fn scene_run(scene: &Scene, rows: &[SampleRow], spatial: bool) -> Result<Str
         let middle = width * (column as f64 + 0.5) / views.len() as f64;
         let left = middle + 0.5 * (LEFT - RIGHT - size.0);
         canvas.panel((left, TITLE + ABOVE), size, axes, |panel| {
-            draw_paths(panel, view, &shown, [first, last]);
+            draw_paths(panel, view, (&shown, [first, last]), radii);
         });
     }
     let time = Axis::new(&(0.0..last.t), "time (a/Vs)", 7);
@@ -154,7 +157,11 @@ fn label(scene: &Scene, k: usize) -> String {
     } else {
         modes.join(", ")
     };
-    format!("squirmer {}: {modes}", k + 1)
+    let radius = match scene.squirmers[k].radius() {
+        1.0 => String::new(),
+        radius => format!(", radius {}", number(radius)),
+    };
+    format!("squirmer {}: {modes}{radius}", k + 1)
 }
 
 /// Logarithm of a gap to the base ten; NaN for NaN.
@@ -167,17 +174,16 @@ fn decade(gap: f64) -> f64 {
 }
 
 /// The window of a view, with the same scale along both axes.
-fn window(rows: &[SampleRow], view: &View) -> (Range<f64>, Range<f64>) {
-    let centres = || {
-        rows.iter()
-            .flat_map(|row| [0, 1].map(|k| view.of(row, k).0))
+fn window(rows: &[SampleRow], view: &View, radii: [f64; 2]) -> (Range<f64>, Range<f64>) {
+    let about = |of: fn((f64, f64)) -> f64| {
+        let ends = [0, 1].map(|k| {
+            let (low, high) =
+                extremes(rows.iter().map(|row| of(view.of(row, k).0))).unwrap_or_default();
+            (low - ROOM * radii[k], high + ROOM * radii[k])
+        });
+        sound(&(ends[0].0.min(ends[1].0)..ends[0].1.max(ends[1].1)))
     };
-    let about = |range: Option<(f64, f64)>| {
-        let (low, high) = range.unwrap_or((0.0, 0.0));
-        sound(&(low - ROOM..high + ROOM))
-    };
-    let x = about(extremes(centres().map(|at| at.0)));
-    let y = about(extremes(centres().map(|at| at.1)));
+    let (x, y) = (about(|at| at.0), about(|at| at.1));
     // The window must be neither too narrow nor too flat after scaling.
     let scale = (PLOT.0 / (x.end - x.start)).min(TALLEST / (y.end - y.start));
     (widened(&x, LEAST / scale), widened(&y, LEAST / scale))
@@ -190,11 +196,16 @@ fn size((x, y): &(Range<f64>, Range<f64>)) -> (f64, f64) {
     (width * scale, height * scale)
 }
 
-fn draw_paths(panel: &mut Panel<'_>, view: &View, rows: &[SampleRow], ends: [&SampleRow; 2]) {
+fn draw_paths(
+    panel: &mut Panel<'_>,
+    view: &View,
+    (rows, ends): (&[SampleRow], [&SampleRow; 2]),
+    radii: [f64; 2],
+) {
     for k in [0, 1] {
         for row in ends {
             let (centre, heading) = view.of(row, k);
-            panel.sphere(centre, heading, colour(k));
+            panel.sphere(centre, radii[k], heading, colour(k));
         }
         let path: Vec<_> = rows.iter().map(|row| view.of(row, k).0).collect();
         panel.line(&path, stroke(k));

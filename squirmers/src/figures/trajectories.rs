@@ -268,7 +268,7 @@ fn draw_spheres(panel: &mut Panel<'_>, track: &Track, series: usize) {
     }
     for k in [0, 1] {
         if panel.shows(at.centres[k], 1.0) {
-            panel.sphere(at.centres[k], at.headings[k], colour(series));
+            panel.sphere(at.centres[k], 1.0, at.headings[k], colour(series));
         }
     }
 }

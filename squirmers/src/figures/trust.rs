@@ -12,7 +12,7 @@ use compare::study::maps::{TRUST_CLASSES, TrustRow, TrustShares};
 const SIDE: f64 = 420.0;
 
 /// Fills of the classes. Larger differences are darker; classes without a difference of deflections are hatched.
-const FILLS: [Fill; 7] = [
+pub(super) const FILLS: [Fill; 7] = [
     Fill::new(Colour(239, 243, 255), Hatch::Plain),
     Fill::new(Colour(158, 202, 225), Hatch::Plain),
     Fill::new(Colour(66, 146, 198), Hatch::Plain),

@@ -9,6 +9,7 @@ mod findings;
 mod hard_cases;
 mod maps;
 mod outcomes;
+mod unlike;
 mod words;
 
 use std::path::PathBuf;
@@ -24,6 +25,7 @@ use compare::output::{OutputFolder, csv_text};
 use compare::study::encounters::{Drawn, EncounterSweep};
 use compare::sweep::SweepOptions;
 use maps::ReportMaps;
+use unlike::UnlikeRadii;
 
 use crate::error::CommandError;
 use crate::provenance;
@@ -53,6 +55,10 @@ pub(crate) fn write(
     if let Some(maps) = &maps {
         maps.check()?;
     }
+    let unlike = UnlikeRadii::new(methods, options, sweep, out)?;
+    if let Some(unlike) = &unlike {
+        unlike.check()?;
+    }
     let under_gravity: Vec<&Model> = (models.iter())
         .filter(|model| METHODS.contains(&model.method()))
         .collect();
@@ -75,6 +81,9 @@ pub(crate) fn write(
     }
     if let Some(maps) = maps {
         content.sections.extend(maps.sections()?);
+    }
+    if let Some(unlike) = unlike {
+        content.sections.extend(unlike.sections()?);
     }
     content.sections.push(effects::section(&models)?);
     content

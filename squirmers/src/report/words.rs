@@ -98,6 +98,12 @@ pub(super) fn caption(file_name: &str) -> &'static str {
     } else if file_name.contains("scatter") {
         "Deflections (for a bound pair: change of orientation up to the end of the run), interaction time τ (at \
          gaps up to 1), and outcome."
+    } else if file_name.contains("ratios") {
+        "Share of each outcome by lubrication theory (upper row) and by exact hydrodynamics (middle row), and share of the \
+         incoming angles in each class of difference between the two (lower row), for radii in these ratios."
+    } else if file_name.contains("cargo") {
+        "Displacement of the passive sphere along the swimmer's first direction (upper row) and across it, towards the \
+         swimmer's path (lower row), for spheres of λ times the swimmer's radius."
     } else if file_name.contains("fates") {
         "Share of each outcome."
     } else if file_name.contains("trust-dz") {

@@ -232,7 +232,7 @@ fn val_without_repulsion_a_facing_pair_closes_doubly_exponentially() {
 fn val_without_hydrodynamics_squirmers_fly_straight_until_they_touch() {
     let squirmer = Squirmer::with_beta(1.0, 5.0).unwrap();
     let facing = on_axis(1.0, [0.0, PI], [squirmer; 2]);
-    let run_of = |scene: &Scene| run(scene, &Isolated, &RunOptions::default()).unwrap();
+    let run_of = |scene: &Scene| run(scene, &Isolated::EQUAL, &RunOptions::default()).unwrap();
     let met = run_of(&facing);
     assert_eq!((met.outcome, met.min_gap), (Outcome::Contact, 0.0));
     assert_relative_eq!(met.end_time, 0.5, max_relative = 1e-14);
@@ -265,7 +265,7 @@ fn val_repulsion_alone_holds_lone_squirmers_where_it_balances_their_thrust() {
     let squirmer = Squirmer::with_beta(1.0, 0.0).unwrap();
     let plain = on_axis(1.0, [0.0, PI], [squirmer; 2]);
     let scene = Scene::new(plain.squirmers, plain.start, Some(Repulsion::PAPER), None).unwrap();
-    let run = run(&scene, &Isolated, &RunOptions::default()).unwrap();
+    let run = run(&scene, &Isolated::EQUAL, &RunOptions::default()).unwrap();
     assert_eq!(run.outcome, Outcome::Standoff);
     let expected = (1000.0 / (6.0 * PI)).ln_1p() / 100.0;
     assert_relative_eq!(run.end.gap.eps(), expected, max_relative = 1e-9);

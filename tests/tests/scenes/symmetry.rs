@@ -44,6 +44,7 @@ fn reduced_and_full_motion_have_the_same_rates_to_rounding() {
         let configuration = reduced.start();
         for eps in [1e-9, 1e-3, 0.1, 0.9] {
             let at = scene::Configuration {
+                radii: [1.0; 2],
                 gap: Gap::new(eps).unwrap(),
                 ..*configuration
             };

@@ -21,7 +21,7 @@ pub use fates::Share;
 pub use fates::{FateRow, fates_of};
 pub use grid::{Grid, Pair, unsymmetric_starts};
 pub use scatter::{ScatterRow, scatter_row};
-pub use trust::{CLASSES as TRUST_CLASSES, same_map};
+pub use trust::{CLASSES as TRUST_CLASSES, same_map, trust_class};
 pub use trust::{TrustRow, TrustShares, trust_rows, trust_shares};
 
 /// A function that is called with the model, the pair and the rows of each map.

@@ -36,7 +36,7 @@ columns! {
         /// Deflection of squirmer 2.
         #[unit = "deg"]
         pub deflection2_deg: f64,
-        /// Interaction time: the time that the pair spends at gaps up to one radius.
+        /// Interaction time: the time that the pair spends at gaps up to one radius, of the smaller squirmer.
         #[unit = "a/V_s"]
         pub tau: f64,
         /// Outcome of the run.

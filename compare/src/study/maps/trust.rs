@@ -72,29 +72,40 @@ impl TrustRow {
         self.outcome_lt == self.outcome_exact
     }
 
+    fn differences(&self) -> [f64; 2] {
+        [self.difference1_deg, self.difference2_deg]
+    }
+
     /// The larger of the two differences, in degrees; `None` unless the pair parts in both models.
     #[must_use]
     pub fn difference(&self) -> Option<f64> {
-        let scattered = self.agrees() && self.outcome_lt == Outcome::Scattered.to_string();
-        scattered.then(|| self.difference1_deg.abs().max(self.difference2_deg.abs()))
-    }
-
-    /// Whether one of the two runs failed, so that there is nothing to compare.
-    fn failed(&self) -> bool {
-        self.outcome_lt == FAILED || self.outcome_exact == FAILED
+        larger([&self.outcome_lt, &self.outcome_exact], self.differences())
     }
 
     /// Index of the class of trust in [`CLASSES`].
     #[must_use]
     pub fn class(&self) -> usize {
-        match self.difference() {
-            _ if self.failed() => CLASSES.len() - 1,
-            _ if !self.agrees() => CLASSES.len() - 2,
-            Some(difference) => (BOUNDS_DEG.iter())
-                .position(|&bound| difference <= bound)
-                .unwrap_or(BOUNDS_DEG.len()),
-            None => CLASSES.len() - 3,
-        }
+        trust_class([&self.outcome_lt, &self.outcome_exact], self.differences())
+    }
+}
+
+/// The larger of two differences, if both models part the pair.
+fn larger(outcomes: [&str; 2], [one, two]: [f64; 2]) -> Option<f64> {
+    let scattered = Outcome::Scattered.to_string();
+    (outcomes.iter().all(|outcome| *outcome == scattered)).then(|| one.abs().max(two.abs()))
+}
+
+/// Index in [`CLASSES`] of two runs from one start, from their outcomes and the differences of the deflections, in degrees.
+#[must_use]
+pub fn trust_class(outcomes: [&str; 2], differences: [f64; 2]) -> usize {
+    let [judged, exact] = outcomes;
+    match larger(outcomes, differences) {
+        _ if outcomes.contains(&FAILED) => CLASSES.len() - 1,
+        _ if judged != exact => CLASSES.len() - 2,
+        Some(difference) => (BOUNDS_DEG.iter())
+            .position(|&bound| difference <= bound)
+            .unwrap_or(BOUNDS_DEG.len()),
+        None => CLASSES.len() - 3,
     }
 }
 

@@ -33,6 +33,8 @@ pub(crate) struct Axis {
     /// Largest number of ticks.
     most: usize,
     scale: Scale,
+    /// Places with names, in place of numbers.
+    named: Vec<(f64, String)>,
 }
 
 impl Axis {
@@ -43,6 +45,19 @@ impl Axis {
             title,
             most,
             scale,
+            named: Vec::new(),
+        }
+    }
+
+    /// An axis of places with names; where there is no room for all, some are left out.
+    pub(crate) fn named(
+        range: &Range<f64>,
+        title: &'static str,
+        named: Vec<(f64, String)>,
+    ) -> Self {
+        Self {
+            named,
+            ..Self::new(range, title, 0)
         }
     }
 
@@ -76,7 +91,15 @@ impl Panel<'_> {
         let across =
             |chars: usize, share: f64| CHARACTER * TEXT * chars as f64 + GAP <= share * width;
         let up = |_: usize, share: f64| TEXT <= share * height;
-        let along_x = Ticks::new(&self.x.range, self.x.most, self.x.scale, across);
+        let along_x = if self.x.named.is_empty() {
+            Ticks::new(&self.x.range, self.x.most, self.x.scale, across)
+        } else {
+            Ticks::named(
+                &self.x.named,
+                |chars| CHARACTER * TEXT * chars as f64 + GAP,
+                width,
+            )
+        };
         let along_y = Ticks::new(&self.y.range, self.y.most, self.y.scale, up);
         let (mut mesh, mut ticks) = (String::new(), String::new());
         for (value, label) in along_x.values.iter().zip(&along_x.labels) {

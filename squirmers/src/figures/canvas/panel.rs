@@ -213,12 +213,18 @@ impl Panel<'_> {
         self.canvas.text("g", beside, TEXT, Anchor::Start);
     }
 
-    /// A sphere of radius 1 with an arrow along its orientation; the scales of x and y must be equal.
-    pub(crate) fn sphere(&mut self, centre: (f64, f64), heading: (f64, f64), colour: Colour) {
+    /// A sphere with an arrow along its orientation; the scales of x and y must be equal.
+    pub(crate) fn sphere(
+        &mut self,
+        centre: (f64, f64),
+        radius: f64,
+        heading: (f64, f64),
+        colour: Colour,
+    ) {
         if !self.takes(centre) {
             return;
         }
-        let radius = self.size.0 / (self.x.range.end - self.x.range.start);
+        let radius = radius * self.size.0 / (self.x.range.end - self.x.range.start);
         let at = self.place(centre);
         self.canvas.sphere(at, radius, colour);
         self.canvas.arrow(at, heading, 0.85 * radius, colour);

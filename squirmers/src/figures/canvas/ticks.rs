@@ -68,6 +68,24 @@ fn are_short(labels: &[String]) -> bool {
 }
 
 impl Ticks {
+    /// Ticks at places with names, of which each second, third, ... is left out until all have room along `extent`.
+    pub(super) fn named(
+        places: &[(f64, String)],
+        width: impl Fn(usize) -> f64,
+        extent: f64,
+    ) -> Self {
+        let longest = places.iter().map(|(_, name)| name.chars().count()).max();
+        let room = width(longest.unwrap_or(0));
+        let stride = (room * places.len() as f64 / extent).ceil().max(1.0) as usize;
+        let shown = places.iter().step_by(stride).cloned();
+        let (values, labels) = shown.unzip();
+        Self {
+            values,
+            labels,
+            ..Self::default()
+        }
+    }
+
     /// The densest ticks of a range in steps of one, two or five: at most `most`, and at least two if possible. The
     /// function `fits` says whether labels of a number of characters fit, for ticks at a distance given as a share of
     /// the axis.

@@ -17,7 +17,7 @@ fn signed(text: String) -> String {
     text.replace('-', "\u{2212}")
 }
 
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     signed(numbers::written(value))
 }
 
