@@ -3,7 +3,7 @@
 //! Definitions and signs are those of [`crate::loads`] with the sphere that moves or squirms (the active one) in the place of sphere 1,
 //! `d` from it to the other one, and its radius for the unit of length: forces per `pi mu a_k B_n`, torques per `pi mu a_k^2 B_n`, scalars per
 //! `6 pi mu a_k`, `4 pi mu a_k^2` and `8 pi mu a_k^3`. Scalars have the numbers of the sphere that is loaded and of the one that is active:
-//! `X21A` is the axial force on sphere 2 by sphere 1, as `F2_d = -6 pi a_1 X21A U_d`.
+//! `X21A` is the axial force on sphere 2 by sphere 1, as `F2_d = -6 pi a_1 X21A U_d`, and `Y21B` the torque on it, as `T2 = 4 pi a_1^2 Y21B U`.
 //!
 //! Force by spin and torque by translation have the same scalar on the active sphere itself, but not on the other one:
 //!
@@ -41,8 +41,8 @@ impl ActiveLoads {
         Self::of_equal(PairLoads::isolated(set), SwirlLoads::isolated(set))
     }
 
-    /// Every scalar with its name, if sphere `active` (1 or 2) is the active one: `X11A, X21A, ...`, force by spin and torque by translation
-    /// on the other sphere as `Y21B_force` and `Y21B_torque`, loads by mode as `XF21_n`.
+    /// Every scalar with its name, if sphere `active` (1 or 2) is the active one: `X11A, X21A, ...`, the torque on the other sphere by
+    /// translation as `Y21B` and the force on it by spin as `Y21B_force`, loads by mode as `XF21_n`.
     #[must_use]
     pub fn named(&self, active: usize) -> Vec<(String, f64)> {
         let other = 3 - active;
@@ -57,8 +57,8 @@ impl ActiveLoads {
             rows.extend(of("Y", "A", self.pair.ya));
             rows.extend([
                 (format!("Y{active}{active}B"), self.pair.yb.own()),
+                (format!("Y{other}{active}B"), self.torque_on_other),
                 (format!("Y{other}{active}B_force"), self.pair.yb.other()),
-                (format!("Y{other}{active}B_torque"), self.torque_on_other),
             ]);
         }
         if set.twist {

@@ -325,7 +325,7 @@ fn unlike_radii_are_explained_and_drawn_to_scale() {
     let explained = run("explain");
     for said in [
         "X11A; X21A;",
-        "Y12B_torque",
+        "Y12B; Y12B_force",
         "read 26 mobilities",
         "radii are unlike",
     ] {

@@ -89,7 +89,7 @@ fn loads_of_unlike_radii_have_names_of_both_spheres() {
         ("lt", "X12A", "1.0"),
         ("exact", "X21A", "0.5"),
         ("exact", "XF12_2", "0.5"),
-        ("lt", "Y21B_torque", "0.5"),
+        ("lt", "Y21B", "0.5"),
     ] {
         let row = |line: &&str| {
             line.starts_with(&format!("{method},0.1,{name},"))

@@ -12,7 +12,8 @@ use crate::{CompareError, Method, Model, ModelOptions};
 columns! {
     /// A row for each method, ratio of the radii, gap and load. `scene::loads` defines the loads; they are pure numbers, for
     /// viscosity 1 and radius 1. Where radii are unlike, names have the number of the loaded sphere and that of the sphere that moves or
-    /// squirms, whose radius is 1: `X21A` is the load on sphere 2 by sphere 1. Equal spheres have those of sphere 1 alone.
+    /// squirms, whose radius is 1: `X21A` is the load on sphere 2 by sphere 1, `Y21B` the torque on it by
+    /// a translation and `Y21B_force` the force by a spin. Equal spheres have those of sphere 1 alone.
     #[derive(Clone, Debug, PartialEq, Serialize)]
     pub struct LoadRow {
         /// Name of the method.
