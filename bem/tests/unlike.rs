@@ -52,6 +52,17 @@ fn val_every_load_is_that_of_exact_to_a_thousandth_at_a_hundredth_of_the_smaller
 }
 
 #[test]
+fn val_panels_of_fine_meshes_are_tied_to_the_width_of_the_gap_between_unlike_spheres() {
+    let (ratio, eps) = (0.25, 2.5e-4);
+    let of = |model: &dyn Hydrodynamics| {
+        (model.interacting_loads_of_each(gap(eps), LoadSet::all(2))).unwrap()
+    };
+    let (name, error) = worst(&of(&model(4, ratio)), &of(&Exact::of_ratio(ratio).unwrap()));
+    // Found: 1.7e-5; tied to the width beside a mirror image instead, 4.7e-5 in X21A.
+    assert!(error < 3e-5, "{name}: {error:e}");
+}
+
+#[test]
 fn val_the_most_unlike_spheres_have_loads_too() {
     let (lowest, highest) = Bem::RATIOS;
     for (ratio, eps) in [(lowest, 2e-4), (lowest, 0.2), (highest, 1.0)] {
