@@ -121,6 +121,53 @@ impl About {
     }
 }
 
+/// One squirmer as the cause, in the frame of the pair: of squirmer 2, `d` and `d x t` point the other way, and its own sphere is the
+/// second.
+struct Cause {
+    second: bool,
+    radius: f64,
+    /// 1, or -1 of squirmer 2.
+    side: f64,
+}
+
+impl Cause {
+    fn new(second: bool, ratio: f64) -> Self {
+        let (radius, side) = if second { (ratio, -1.0) } else { (1.0, 1.0) };
+        Self {
+            second,
+            radius,
+            side,
+        }
+    }
+
+    /// `F1 + F2` and `F1 - F2` of forces along `t`.
+    fn forces(&self, by: SelfOther) -> [f64; 2] {
+        [
+            self.radius * by.sum,
+            self.side * self.radius * by.difference,
+        ]
+    }
+
+    /// The same along `d` or `d x t`.
+    fn turned_forces(&self, by: SelfOther) -> [f64; 2] {
+        [
+            self.side * self.radius * by.sum,
+            self.radius * by.difference,
+        ]
+    }
+
+    /// The torques on the two, times `sign`.
+    fn torques(&self, sign: f64, by: SelfOther) -> [f64; 2] {
+        let scale = sign * (self.radius * self.radius);
+        let (own, other) = (scale * by.own(), scale * by.other());
+        if self.second {
+            [other, own]
+        } else {
+            [own, other]
+        }
+    }
+}
+
 /// The coefficients of `set` for each squirmer by the balance of `loads`, of spheres whose radii are in the given `ratio`.
 ///
 /// ```
@@ -134,7 +181,6 @@ impl About {
 /// ```
 #[must_use]
 pub fn of_each(gap: Gap, ratio: f64, loads: &[ActiveLoads; 2], set: MobilitySet) -> MobilityOfEach {
-    let area = ratio * ratio;
     let axial = Axial::new(gap, loads.each_ref().map(|of| of.pair.xa), ratio);
     let transverse = (set.loads.transverse.any() || set.loads.swirl > 0)
         .then(|| Transverse::new(gap, loads, ratio));
@@ -142,52 +188,33 @@ pub fn of_each(gap: Gap, ratio: f64, loads: &[ActiveLoads; 2], set: MobilitySet)
         .loads
         .twist
         .then(|| About::new(loads.each_ref().map(|of| of.pair.xc), ratio));
-    // Of squirmer 2, `d` points the other way: axial forces and all torques change sign, and its own sphere is the second.
-    let across = |k: usize, force: SelfOther, torque: SelfOther, along: f64| {
-        let Some(transverse) = &transverse else {
-            return Across::default();
-        };
-        if k == 0 {
-            let torques = [along * torque.own(), along * torque.other()];
-            transverse.by(force.sum, force.difference, torques)
-        } else {
-            let torques = [-along * area * torque.other(), -along * area * torque.own()];
-            transverse.by(ratio * force.sum, -ratio * force.difference, torques)
-        }
+    let across = |[sum, difference]: [f64; 2], torques: [f64; 2]| {
+        let transverse = transverse.as_ref();
+        transverse.map_or(Across::default(), |transverse| {
+            transverse.by(sum, difference, torques)
+        })
     };
     let mut mobility = MobilityOfEach::default();
     for (k, (of, by)) in loads.iter().zip(&mut mobility.by).enumerate() {
+        let cause = Cause::new(k == 1, ratio);
         let Mobility { pair, modes, swirl } = by;
         for (of_mode, mode) in modes.iter_mut().zip(of.pair.modes()) {
-            let [opening, mean_axial] = if k == 0 {
-                axial.by(mode.xf.sum, mode.xf.difference)
-            } else {
-                axial.by(-ratio * mode.xf.sum, ratio * mode.xf.difference)
-            };
+            let [sum, difference] = cause.turned_forces(mode.xf);
+            let [opening, mean_axial] = axial.by(sum, difference);
             *of_mode = ModeMobility {
                 opening,
                 mean_axial,
-                across: across(k, mode.yf, mode.yt, 1.0),
+                across: across(cause.forces(mode.yf), cause.torques(cause.side, mode.yt)),
             };
         }
         for (of_mode, mode) in swirl.iter_mut().zip(of.swirl.modes()) {
-            let mut force = mode.yfc;
-            if k == 1 {
-                // Along d x t, which is turned round.
-                (force.sum, force.difference) = (-force.sum, -force.difference);
-            }
-            // Torques along t are -d x t in the form T x d.
-            let turned = if k == 0 { -1.0 } else { 1.0 };
-            let spin = if k == 0 {
-                [mode.xtc.own(), mode.xtc.other()]
-            } else {
-                [-area * mode.xtc.other(), -area * mode.xtc.own()]
-            };
+            let spin = cause.torques(cause.side, mode.xtc);
             *of_mode = SwirlMobility {
                 twist: about
                     .as_ref()
                     .map_or(Twist::default(), |about| about.by(spin)),
-                across: across(k, force, mode.ytc, turned),
+                // Torques along t are -d x t in the form T x d.
+                across: across(cause.turned_forces(mode.yfc), cause.torques(-1.0, mode.ytc)),
             };
         }
         let unit = |active: usize| if active == k { 1.0 } else { 0.0 };
