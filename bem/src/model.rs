@@ -11,7 +11,7 @@ use crate::BemError;
 use crate::estimates::Estimates;
 use crate::mesh::MeshFamily;
 use crate::pair::{Condition, EachSolution, PairSolution};
-use crate::pieces::{DEFAULT_LEVEL, LEVELS, Pieces, RATIOS, check_level, check_ratio};
+use crate::pieces::{DEFAULT_LEVEL, LEVELS, Pieces, check_level, check_ratio};
 use crate::refinement::Refinement;
 
 /// To be raised with every change that changes loads: size laws, quadrature, basis, shifts.
@@ -51,9 +51,6 @@ impl Bem {
     /// Lowest and highest level.
     pub const LEVELS: (usize, usize) = LEVELS;
 
-    /// Smallest and largest radius of sphere 2 over that of sphere 1.
-    pub const RATIOS: (f64, f64) = RATIOS;
-
     /// The model of equal spheres at a level of refinement, from [`Self::LEVELS`].
     ///
     /// # Errors
@@ -62,7 +59,7 @@ impl Bem {
         Self::of_ratio(level, 1.0)
     }
 
-    /// The model of spheres whose radii are in the `ratio` (radius 2 over radius 1), from [`Self::RATIOS`]; 1 is that of equal ones.
+    /// The model of spheres whose radii are in the `ratio` (radius 2 over radius 1), from [`scene::RATIOS`]; 1 is that of equal ones.
     ///
     /// # Errors
     /// [`BemError::Level`] for a level that does not exist, [`BemError::Ratio`] for radii that are too unlike.

@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-use scene::Gap;
+use scene::{Gap, RATIOS, are_unlike};
 
 use crate::BemError;
 use crate::mesh::{Grading, MeshFamily};
@@ -24,9 +24,6 @@ pub(crate) const LEVELS: (usize, usize) = (1, 5);
 
 /// The level to which size laws are stated.
 pub(crate) const DEFAULT_LEVEL: usize = 3;
-
-/// Smallest and largest radius of sphere 2 over that of sphere 1.
-pub(crate) const RATIOS: (f64, f64) = (0.01, 100.0);
 
 /// Panels a quarter turn about the line of centres, in the middle of the sphere near contact, at the
 /// default level. (Where the size law is `slope θ`, a whole number keeps rings regular.)
@@ -109,9 +106,7 @@ impl Pieces {
 
     /// Whether the radii are equal.
     pub fn are_equal(&self) -> bool {
-        #[expect(clippy::float_cmp, reason = "equal means exactly equal")]
-        let equal = self.ratio == 1.0;
-        equal
+        !are_unlike(self.ratio)
     }
 
     /// All seams, in radii of sphere 1.
@@ -242,14 +237,13 @@ pub(crate) fn check_level(level: usize) -> Result<(), BemError> {
 
 /// Refuses radii that are too unlike, or that are none.
 pub(crate) fn check_ratio(ratio: f64) -> Result<(), BemError> {
-    let (lowest, highest) = RATIOS;
-    if (lowest..=highest).contains(&ratio) {
+    if RATIOS.contains(&ratio) {
         Ok(())
     } else {
         Err(BemError::Ratio {
             ratio,
-            lowest,
-            highest,
+            lowest: *RATIOS.start(),
+            highest: *RATIOS.end(),
         })
     }
 }

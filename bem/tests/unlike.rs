@@ -64,7 +64,7 @@ fn val_panels_of_fine_meshes_are_tied_to_the_width_of_the_gap_between_unlike_sph
 
 #[test]
 fn val_the_most_unlike_spheres_have_loads_too() {
-    let (lowest, highest) = Bem::RATIOS;
+    let (lowest, highest) = scene::RATIOS.into_inner();
     for (ratio, eps) in [(lowest, 2e-4), (lowest, 0.2), (highest, 1.0)] {
         let truth = Exact::of_ratio(ratio).unwrap();
         let truth = truth.interacting_loads_of_each(gap(eps), SET).unwrap();

@@ -9,7 +9,8 @@ use exact::Exact;
 use lt::{Form, Lubrication, UnlikeLubrication};
 use scene::{
     Configuration, Gap, Hydrodynamics, Isolated, LoadSet, Plan, PlanRow, Rates, Run, RunOptions,
-    Sample, Scene, SceneError, TableOptions, TableSummary, Tabulated, rates, run_observed,
+    Sample, Scene, SceneError, TableOptions, TableSummary, Tabulated, are_unlike, rates,
+    run_observed,
 };
 
 use crate::scene_file::Hydrodynamics as InFiles;
@@ -237,13 +238,11 @@ impl Model {
 
 impl Kind {
     fn set_up(method: Method, ratio: f64, options: &ModelOptions) -> Result<Self, CompareError> {
-        #[expect(clippy::float_cmp, reason = "equal means exactly equal")]
-        let equal = ratio == 1.0;
         let lubrication = |form| {
-            Ok(if equal {
-                Self::Lubrication(Lubrication::new(form))
-            } else {
+            Ok(if are_unlike(ratio) {
                 Self::Closed(Arc::new(UnlikeLubrication::new(form, ratio)?))
+            } else {
+                Self::Lubrication(Lubrication::new(form))
             })
         };
         let solved = |model: AnyModel, tolerance| {

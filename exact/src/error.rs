@@ -1,6 +1,6 @@
 //! What the crate can refuse or fail at.
 
-use scene::{LoadSet, MAX_MODES, SceneError};
+use scene::{LoadSet, MAX_MODES, RATIOS, SceneError};
 
 /// Everything that this crate can refuse or fail at, with the offending numbers. Later versions may add variants.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -13,7 +13,11 @@ pub enum ExactError {
         factor: f64,
     },
     /// A radius ratio outside the allowed interval.
-    #[error("radius ratio {ratio} is not allowed: it must lie in [0.01, 100]")]
+    #[error(
+        "radius ratio {ratio} is not allowed: it must lie in [{}, {}]",
+        RATIOS.start(),
+        RATIOS.end()
+    )]
     InvalidRatio {
         /// Radius of sphere 2 over that of sphere 1.
         ratio: f64,

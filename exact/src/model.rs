@@ -3,8 +3,8 @@
 use std::sync::OnceLock;
 
 use scene::{
-    ActiveLoads, Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError,
-    SwirlLoads,
+    ActiveLoads, Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, PairLoads, RATIOS,
+    SceneError, SwirlLoads, are_unlike,
 };
 
 use crate::ExactError;
@@ -87,16 +87,14 @@ impl Exact {
     /// The model of spheres whose radii are in the given `ratio`, that of sphere 2 over that of sphere 1. Gaps are in radii of sphere 1.
     ///
     /// # Errors
-    /// [`ExactError::InvalidRatio`] unless `0.01 <= ratio <= 100`.
+    /// [`ExactError::InvalidRatio`] for a ratio outside [`RATIOS`].
     pub fn of_ratio(ratio: f64) -> Result<Self, ExactError> {
-        if !(0.01..=100.0).contains(&ratio) {
+        if !RATIOS.contains(&ratio) {
             return Err(ExactError::InvalidRatio { ratio });
         }
-        #[expect(clippy::float_cmp, reason = "equal means exactly equal")]
-        let unlike = ratio != 1.0;
         let terms = Terms { ratio, factor: 1.0 };
         Ok(Self {
-            unlike: unlike.then(|| Box::new(Unlike::new(terms))),
+            unlike: are_unlike(ratio).then(|| Box::new(Unlike::new(terms))),
             ..Self::new()
         })
     }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::mobility::{
     Mobility, MobilityOfEach, MobilitySet, ModeMobility, PairMobility, SwirlMobilities,
 };
-use crate::{ActiveLoads, Gap, LoadSet, PairLoads, SceneError, SwirlLoads, balance};
+use crate::{ActiveLoads, Gap, LoadSet, PairLoads, SceneError, SwirlLoads, are_unlike, balance};
 
 /// Gaps for which a model vouches, `smallest <= eps <= largest` (in radii of sphere 1).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -228,9 +228,7 @@ pub trait Hydrodynamics: Send + Sync {
 
     /// Whether the model is one of unlike spheres.
     fn has_unlike_radii(&self) -> bool {
-        #[expect(clippy::float_cmp, reason = "equal means exactly equal")]
-        let unlike = self.description().ratio != 1.0;
-        unlike
+        are_unlike(self.description().ratio)
     }
 
     /// The model's own estimate of its error at `gap`: the largest over all loads of the error

@@ -25,6 +25,7 @@ pub mod mobility;
 pub mod motion;
 pub mod ode;
 mod plan;
+mod ratio;
 mod scene;
 pub mod singular;
 mod squirmer;
@@ -49,6 +50,7 @@ pub use motion::{
     rates_monomorphic, run, run_monomorphic, run_observed, run_plan,
 };
 pub use plan::{NeededLoads, Plan, PlanRow, State, SymmetryClass};
+pub use ratio::{RATIOS, are_unlike};
 pub use scene::{Orientation, Pose, Scene};
 pub use squirmer::Squirmer;
 pub use swirl::{SwirlLoads, SwirlModeLoads};

@@ -10,7 +10,7 @@ pub use describe::{NeededLoads, PlanRow, SymmetryClass};
 
 use crate::frame::{Configuration, Plane, start};
 use crate::mobility::{MobilityOfEach, MobilitySet};
-use crate::{Gravity, Hydrodynamics, LoadSet, Repulsion, Scene, SceneError, Squirmer};
+use crate::{Gravity, Hydrodynamics, LoadSet, Repulsion, Scene, SceneError, Squirmer, are_unlike};
 
 /// The variables in which the motion is integrated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -143,9 +143,7 @@ impl Plan {
     /// Whether the squirmers have unlike radii, so that each has coefficients of its own.
     #[must_use]
     pub fn has_unlike_radii(&self) -> bool {
-        #[expect(clippy::float_cmp, reason = "equal means exactly equal")]
-        let unlike = self.scene.ratio() != 1.0;
-        unlike
+        are_unlike(self.scene.ratio())
     }
 
     /// Refuses a model of other radii.

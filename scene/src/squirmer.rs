@@ -1,6 +1,6 @@
 //! A squirmer: a sphere with tangential surface slip.
 
-use crate::{MAX_MODES, SceneError};
+use crate::{MAX_MODES, RATIOS, SceneError};
 
 /// A squirmer's radius, slip modes, squirming and swirl, and bottom-heaviness.
 ///
@@ -18,10 +18,6 @@ pub struct Squirmer {
     /// Follows from the others.
     gravity_torque: f64,
 }
-
-/// Radii of a second squirmer that are allowed, in those of the first.
-const SMALLEST_RADIUS: f64 = 0.01;
-const LARGEST_RADIUS: f64 = 100.0;
 
 impl Squirmer {
     /// A squirmer of radius 1 with slip modes `B_1, B_2, …` (velocities), at most [`MAX_MODES`] of them.
@@ -89,13 +85,13 @@ impl Squirmer {
     /// # Ok::<(), scene::SceneError>(())
     /// ```
     pub fn with_radius(self, radius: f64) -> Result<Self, SceneError> {
-        if (SMALLEST_RADIUS..=LARGEST_RADIUS).contains(&radius) {
+        if RATIOS.contains(&radius) {
             Ok(Self { radius, ..self }.with_gravity_torque())
         } else {
             Err(SceneError::Radius {
                 radius,
-                smallest: SMALLEST_RADIUS,
-                largest: LARGEST_RADIUS,
+                smallest: *RATIOS.start(),
+                largest: *RATIOS.end(),
             })
         }
     }

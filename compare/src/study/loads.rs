@@ -1,7 +1,7 @@
 //! The loads of a pair at some gaps, each with an error estimate.
 
 use bem::Bem;
-use scene::{ActiveLoads, Gap, LoadSet};
+use scene::{ActiveLoads, Gap, LoadSet, are_unlike};
 use serde::Serialize;
 
 use crate::columns::columns;
@@ -91,8 +91,7 @@ fn estimator(
         ratios: vec![ratio],
         ..options.clone()
     };
-    #[expect(clippy::float_cmp, reason = "equal means exactly equal")]
-    if ratio != 1.0 {
+    if are_unlike(ratio) {
         return estimator_of_each(method, ratio, set, options);
     }
     if method == Method::Bem {
