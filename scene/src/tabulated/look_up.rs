@@ -31,26 +31,29 @@ pub(super) struct Columns {
     swirl: Vec<Parts<3>>,
 }
 
+/// A tabulation, laid out for look-ups; none if it does not fit. With it stand the numbers of parts that most columns have.
+fn laid_out<const PAIRS: usize>((tabulation, usual): (&Tabulation, &[u32])) -> Parts<PAIRS> {
+    Parts::new(&tabulation.stretches, usual).unwrap_or_default()
+}
+
+/// The same in its place among those of all modes.
+fn put<const PAIRS: usize>(all: &mut Vec<Parts<PAIRS>>, at: usize, of: (&Tabulation, &[u32])) {
+    all.resize(all.len().max(at + 1), Parts::default());
+    all[at] = laid_out(of);
+}
+
 impl Columns {
     /// Lays out a tabulation for look-ups; one that does not fit, or is of unlike radii, is left out. `usual` are the numbers of parts that most columns have.
     pub fn take(&mut self, group: Group, tabulation: &Tabulation, usual: &[u32]) {
-        fn laid_out<const PAIRS: usize>(of: &Tabulation, usual: &[u32]) -> Parts<PAIRS> {
-            Parts::new(&of.stretches, usual).unwrap_or_default()
-        }
-        let put = |all: &mut Vec<Parts<3>>, at: usize| {
-            all.resize(all.len().max(at + 1), Parts::default());
-            all[at] = laid_out(tabulation, usual);
-        };
+        let of = (tabulation, usual);
         match group {
-            Group::Block(Block::Opening) => self.opening = laid_out(tabulation, usual),
-            Group::Block(Block::MeanAxial) => self.mean_axial = laid_out(tabulation, usual),
-            Group::Block(Block::Turning) => self.turning = laid_out(tabulation, usual),
-            Group::Block(Block::MeanTransverse) => {
-                self.mean_transverse = laid_out(tabulation, usual)
-            }
-            Group::Block(Block::Twist) => self.twist = laid_out(tabulation, usual),
-            Group::Mode(n) => put(&mut self.modes, n - BASE_MODES - 1),
-            Group::Swirl(n) => put(&mut self.swirl, n - 1),
+            Group::Block(Block::Opening) => self.opening = laid_out(of),
+            Group::Block(Block::MeanAxial) => self.mean_axial = laid_out(of),
+            Group::Block(Block::Turning) => self.turning = laid_out(of),
+            Group::Block(Block::MeanTransverse) => self.mean_transverse = laid_out(of),
+            Group::Block(Block::Twist) => self.twist = laid_out(of),
+            Group::Mode(n) => put(&mut self.modes, n - BASE_MODES - 1, of),
+            Group::Swirl(n) => put(&mut self.swirl, n - 1, of),
             _ => {}
         }
     }

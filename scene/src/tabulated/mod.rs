@@ -34,6 +34,7 @@ use self::parts::Place;
 use crate::mobility::{MobilityOfEach, MobilitySet, ModeMobility, PairMobility, SwirlMobilities};
 use crate::{
     ActiveLoads, Gap, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError, SwirlLoads,
+    are_unlike,
 };
 
 /// Gap at which the table changes from `ln eps` to `1/r`, in radii of the larger sphere.
@@ -316,6 +317,10 @@ impl Hydrodynamics for Tabulated {
         gap: Gap,
         set: MobilitySet,
     ) -> Result<MobilityOfEach, SceneError> {
+        if !are_unlike(self.ratio) {
+            // Its columns are those of both together.
+            return self.model.interacting_mobility_of_each(gap, set);
+        }
         let far = gap.eps() > self.far_gap;
         let distance = gap.distance_at_ratio(self.ratio);
         let Some(place) = self.place(gap, far, distance) else {

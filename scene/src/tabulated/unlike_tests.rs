@@ -144,3 +144,16 @@ fn coefficients_do_not_depend_on_what_else_a_table_of_unlike_radii_holds() {
     let refused = plain.interacting_mobility_of_each(Gap::new(0.1).unwrap(), more);
     assert!(matches!(refused, Err(SceneError::LoadsNotHeld { .. })));
 }
+
+#[test]
+fn a_table_of_equal_radii_gives_the_coefficients_of_each_as_its_model_does() {
+    let set = MobilitySet {
+        loads: LoadSet::planar(2),
+        torque: false,
+    };
+    let table = table(1.0, set.loads);
+    let gap = Gap::new(0.01).unwrap();
+    let of_model = table.model().interacting_mobility_of_each(gap, set);
+    let of_table = table.interacting_mobility_of_each(gap, set);
+    assert_eq!(of_table.unwrap(), of_model.unwrap());
+}

@@ -1,6 +1,6 @@
 //! Tabulated columns of unlike radii as they are read.
 
-use super::across;
+use super::{across, laid_out, put};
 use crate::Gap;
 use crate::mobility::{MobilityOfEach, MobilitySet, ModeMobility, SwirlMobility, Twist};
 use crate::tabulated::build::Tabulation;
@@ -25,19 +25,13 @@ pub(in crate::tabulated) struct ColumnsOfEach {
 impl ColumnsOfEach {
     /// Lays out a tabulation for look-ups; one that is of equal radii is left out.
     pub fn take(&mut self, group: Group, tabulation: &Tabulation, usual: &[u32]) {
-        fn laid_out<const PAIRS: usize>(of: &Tabulation, usual: &[u32]) -> Parts<PAIRS> {
-            Parts::new(&of.stretches, usual).unwrap_or_default()
-        }
-        let put = |all: &mut Vec<Parts<6>>, at: usize| {
-            all.resize(all.len().max(at + 1), Parts::default());
-            all[at] = laid_out(tabulation, usual);
-        };
+        let of = (tabulation, usual);
         match group {
-            Group::AxialOfEach => self.axial = laid_out(tabulation, usual),
-            Group::AcrossOfEach => self.across = laid_out(tabulation, usual),
-            Group::AboutOfEach => self.about = laid_out(tabulation, usual),
-            Group::ModeOfEach(n) => put(&mut self.modes, n - BASE_MODES - 1),
-            Group::SwirlOfEach(n) => put(&mut self.swirl, n - 1),
+            Group::AxialOfEach => self.axial = laid_out(of),
+            Group::AcrossOfEach => self.across = laid_out(of),
+            Group::AboutOfEach => self.about = laid_out(of),
+            Group::ModeOfEach(n) => put(&mut self.modes, n - BASE_MODES - 1, of),
+            Group::SwirlOfEach(n) => put(&mut self.swirl, n - 1, of),
             _ => {}
         }
     }
