@@ -140,6 +140,22 @@ mod tests {
         sum / (3.0 * intervals as f64)
     }
 
+    /// The integral over all time of a rate along the path `s0 + w t`: in x = 1/(1 + t/T), which brings infinity to 0, with `T = |s0|/|w|`.
+    /// `at_end` is the limit of the rate times `t^2`.
+    fn along(
+        (s0, w): (Vector3<f64>, Vector3<f64>),
+        at_end: Vector3<f64>,
+        of: impl Fn(Vector3<f64>) -> Vector3<f64>,
+    ) -> Vector3<f64> {
+        let scale = s0.norm() / w.norm();
+        integrated(|x| {
+            if x <= 0.0 {
+                return at_end / scale;
+            }
+            of(s0 + w * (scale * (1.0 / x - 1.0))) * (scale / (x * x))
+        })
+    }
+
     /// Half the vorticity of a stresslet, from central differences of its flow.
     fn spin(b2: f64, p: Vector3<f64>, s: Vector3<f64>) -> Vector3<f64> {
         let flow = |s: Vector3<f64>| {
@@ -199,21 +215,14 @@ mod tests {
             Vector3::new(1.0, -0.5, 0.9),
             s0 * 0.1,
         ] {
-            // In x = 1/(1 + t/T), which brings infinity to 0.
-            let scale = s0.norm() / w.norm();
-            let rate = |x: f64| {
-                if x <= 0.0 {
-                    // The limit of the flow over the square of x.
-                    let c: f64 = p.dot(&w) / w.norm();
-                    return w * (-0.5 * 7.5 * (3.0 * c * c - 1.0) / f64::powi(w.norm(), 3) / scale);
-                }
-                let s = s0 + w * (scale * (1.0 / x - 1.0));
+            let c: f64 = p.dot(&w) / w.norm();
+            let at_end = w * (-0.5 * 7.5 * (3.0 * c * c - 1.0) / f64::powi(w.norm(), 3));
+            let integral = along((s0, w), at_end, |s| {
                 let (r, c) = (s.norm(), p.dot(&s) / s.norm());
                 let stresslet = s * (-0.5 * 7.5 * (3.0 * c * c - 1.0));
                 let dipole = (s * (3.0 * c / r) - p) * (1.5 / 3.0);
-                (stresslet + dipole) * (scale / (x * x * r * r * r))
-            };
-            let integral = integrated(rate);
+                (stresslet + dipole) / (r * r * r)
+            });
             assert_relative_eq!(drift_by([1.5, 7.5], p, s0, w), integral, epsilon = 1e-7);
         }
     }
@@ -227,15 +236,7 @@ mod tests {
             Vector3::new(1.0, -0.5, 0.9),
             s0 * 0.1,
         ] {
-            // In x = 1/(1 + t/T), which brings infinity to 0.
-            let scale = s0.norm() / w.norm();
-            let rate = |x: f64| {
-                if x <= 0.0 {
-                    return Vector3::zeros();
-                }
-                spin(7.5, p, s0 + w * (scale * (1.0 / x - 1.0))) * (scale / (x * x))
-            };
-            let integral = integrated(rate);
+            let integral = along((s0, w), Vector3::zeros(), |s| spin(7.5, p, s));
             assert_relative_eq!(turn_by(7.5, p, s0, w), integral, epsilon = 1e-7);
         }
     }
