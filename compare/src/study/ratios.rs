@@ -15,7 +15,6 @@ use crate::output::{OutputFolder, csv_lines};
 use crate::scene_file::{FamilyScene, paper_point};
 use crate::study::maps::{Grid, TRUST_CLASSES, trust_class};
 use crate::sweep::{self, Computed, Row, Sweep, SweepOptions};
-use crate::watch::notice;
 use crate::{CompareError, Method, Model, ModelOptions};
 
 /// Two squirmers of unlike radii.
@@ -153,16 +152,9 @@ impl Ratios<'_> {
                 failure: None,
             })
         })?;
-        let left = kept.left();
-        if left > 0 {
-            self.out.account().skipped(left);
-            notice!(
-                "skipped: the time limit was reached before {left} of {} lines of the maps; the same command continues \
-                 from {NAME}.csv.part",
-                kept.pieces()
-            );
+        let Some(kept) = kept.complete() else {
             return Ok(None);
-        }
+        };
         let mut failed = 0;
         let rows = (0..self.judged.len() * self.pairs.len()).map(|map| {
             let lines: Vec<Counts> = kept.rows(map * sigmas.len()..(map + 1) * sigmas.len())?;

@@ -47,26 +47,19 @@ fn of_ratio(ratio: f64, modes: usize) -> Result<Vec<SlopeRow>, CompareError> {
     let set = LoadSet::planar(modes);
     let exact = Exact::of_ratio(ratio).map_err(SceneError::from)?;
     let slopes = exact.log_slopes_of_each(set).map_err(SceneError::from)?;
-    // The coefficient of the logarithm, from two gaps: squirming loads have no other part.
-    let [near, nearer] = [1e-3, 1e-6];
+    // Where the logarithm is 1: squirming loads have no other part than its coefficient times it.
+    let gap = Gap::from_ln(ratio.min(1.0).ln() - 1.0);
     let of_form = |form: lt::Form| {
-        let at = |eps| {
-            let gap = Gap::new(eps)?;
-            Ok::<_, SceneError>(singular::of_each(gap, ratio, set, form.axial_squirming()))
-        };
-        let (a, b) = (at(near)?, at(nearer)?);
-        let rise = f64::ln(near / nearer);
-        let named = |loads: &[scene::ActiveLoads; 2], k: usize| loads[k].named(k + 1);
-        Ok::<_, SceneError>([0, 1].map(|k| -> Vec<f64> {
-            let both = named(&a, k).into_iter().zip(named(&b, k));
-            both.map(|((_, a), (_, b))| (b - a) / rise).collect()
-        }))
+        let loads = singular::of_each(gap, ratio, set, form.axial_squirming());
+        [0, 1].map(|k| loads[k].named(k + 1))
     };
-    let (published, corrected) = (of_form(lt::Form::Published)?, of_form(lt::Form::Corrected)?);
+    let (published, corrected) = (of_form(lt::Form::Published), of_form(lt::Form::Corrected));
     let mut rows = Vec::new();
     for k in [0, 1] {
         let exact = slopes[k].named(k + 1).into_iter();
-        for (((name, exact), published), corrected) in exact.zip(&published[k]).zip(&corrected[k]) {
+        for (((name, exact), (_, published)), (_, corrected)) in
+            exact.zip(&published[k]).zip(&corrected[k])
+        {
             // Those by squirming.
             if name.starts_with("XF") || name.starts_with("YF") || name.starts_with("YT") {
                 rows.push(SlopeRow {

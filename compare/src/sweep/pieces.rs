@@ -166,16 +166,27 @@ pub struct Kept<'a> {
 }
 
 impl Kept<'_> {
-    /// Number of pieces that the time limit left out.
-    #[must_use]
-    pub fn left(&self) -> usize {
-        self.left
+    /// Number of all pieces.
+    fn pieces(&self) -> usize {
+        self.sweep.pieces()
     }
 
-    /// Number of all pieces.
+    /// All units; none if the time limit left some out, which is said and counted in the account of the folder.
     #[must_use]
-    pub fn pieces(&self) -> usize {
-        self.sweep.pieces()
+    pub fn complete(self) -> Option<Self> {
+        if self.left == 0 {
+            return Some(self);
+        }
+        let Sweep {
+            what, name, out, ..
+        } = self.sweep;
+        out.account().skipped(self.left);
+        notice!(
+            "skipped: the time limit was reached before {} of {} {what}; the same command continues from {name}.csv.part",
+            self.left,
+            self.pieces()
+        );
+        None
     }
 
     /// The lines of a piece, if it has been computed.

@@ -13,7 +13,6 @@ use scene::RunOptions;
 use crate::columns::{self, Columns};
 use crate::output::OutputFolder;
 use crate::sweep::{self, Computed, Done, Kept, Row, Sweep, SweepOptions};
-use crate::watch::notice;
 use crate::{CompareError, Model};
 
 pub use bound::{BoundExample, BoundRow, bound_examples, bound_rows};
@@ -111,18 +110,7 @@ impl Maps<'_> {
                 failure: None,
             })
         })?;
-        let left = kept.left();
-        if left > 0 {
-            self.out.account().skipped(left);
-            notice!(
-                "skipped: the time limit was reached before {left} of {} lines of constant Sigma; the same command \
-                 continues from {}.csv.part",
-                kept.pieces(),
-                self.name
-            );
-            return Ok(None);
-        }
-        Ok(Some(kept))
+        Ok(kept.complete())
     }
 
     /// Writes the file of the maps, and passes the rows of each map to `each`, one map at a time.
