@@ -5,7 +5,7 @@ use compare::study::encounters::{Drawn, EncounterSweep};
 use compare::{Approach, Case, Defaults, EncounterRow, Method};
 
 use super::many::{PRINTED, checked_count, drop_undrawn, keep_first, print_rest, print_undrawn};
-use super::shared::{model_options, set_up, sweep_options};
+use super::shared::{list, model_options, set_up, sweep_options};
 use crate::arguments::{EncounterArguments, GeneralArguments, ModelArguments, RunArguments};
 use crate::error::CommandError;
 use crate::pictures;
@@ -20,11 +20,6 @@ pub(super) fn encounters(
     let sweep = sweep_options(&arguments.runs, &methods)?;
     let defaults = Defaults::paper()?;
     let defaults = defaults.encounters(approach);
-    let list = |given: &Option<Numbers>, default: &[f64]| {
-        given
-            .as_ref()
-            .map_or(default.to_vec(), |list| list.0.clone())
-    };
     let cases = cases(
         approach,
         &list(&arguments.beta, &defaults.beta),

@@ -2,7 +2,7 @@
 
 use clap::{Arg, Args};
 
-use super::shared::{model_options, set_up, sweep_options};
+use super::shared::{list, model_options, set_up, sweep_options};
 use crate::arguments::{GeneralArguments, ModelArguments, RunArguments, methods_help};
 use crate::error::CommandError;
 use crate::pictures::{self, Picture};
@@ -103,9 +103,6 @@ fn checked(
     let (methods, options) = model_options(&arguments.models, &METHODS, general)?;
     let sweep = sweep_options(&arguments.runs, &methods)?;
     let grid = Grid::new(arguments.grid)?;
-    let list = |given: &Option<Numbers>, default: &[f64]| {
-        (given.as_ref()).map_or(default.to_vec(), |list| list.0.clone())
-    };
     let g = list(&arguments.g, &[0.0]);
     let dz = list(dz, &[0.0]);
     let mut pairs = Vec::new();

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use ::scene::{MAX_MODES, RunOptions, Squirmer};
-use compare::numbers::written;
+use compare::numbers::{Numbers, written};
 use compare::scene_file::SAMPLE_INTERVAL;
 use compare::sweep::SweepOptions;
 use compare::{Method, Model, ModelOptions};
@@ -39,6 +39,11 @@ pub(super) fn set_up(
     (methods.iter())
         .map(|&method| Ok(Model::set_up(method, options)?))
         .collect()
+}
+
+/// The numbers of an option, or `default` if the user gives none.
+pub(super) fn list(given: &Option<Numbers>, default: &[f64]) -> Vec<f64> {
+    (given.as_ref()).map_or(default.to_vec(), |list| list.0.clone())
 }
 
 /// Ratios of radii, if they are allowed.

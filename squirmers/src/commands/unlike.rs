@@ -3,7 +3,7 @@
 use clap::Args;
 
 use super::many::{PRINTED, checked_count, keep_first, print_rest};
-use super::shared::{checked_ratios, model_options, set_up, sweep_options};
+use super::shared::{checked_ratios, list, model_options, set_up, sweep_options};
 use crate::arguments::{GeneralArguments, ModelArguments, RunArguments};
 use crate::error::CommandError;
 use crate::pictures;
@@ -48,10 +48,6 @@ pub(crate) struct RatioArguments {
     models: ModelArguments,
     #[command(flatten)]
     runs: RunArguments,
-}
-
-fn list(given: &Option<Numbers>, default: &[f64]) -> Vec<f64> {
-    (given.as_ref()).map_or(default.to_vec(), |list| list.0.clone())
 }
 
 pub(super) fn ratios(

@@ -184,13 +184,17 @@ fn held(rows: &[SlopeRow]) -> String {
     )
 }
 
+/// Whether two numbers are one and the same setting.
+fn same(a: f64, b: f64) -> bool {
+    a.total_cmp(&b).is_eq()
+}
+
 /// Over how much of the incoming angles lubrication theory gives another outcome, at the ratio at which it does worst and at equal radii.
 fn finding(rows: &[RatioRow]) -> String {
     let wrong = |row: &RatioRow| row.other_outcome + row.beyond_45_deg;
     let Some(worst) = rows.iter().max_by(|a, b| wrong(a).total_cmp(&wrong(b))) else {
         return String::new();
     };
-    let same = |a: f64, b: f64| a.total_cmp(&b).is_eq();
     let equal = (rows.iter()).find(|row| {
         same(row.beta1, worst.beta1) && same(row.beta2, worst.beta2) && same(row.ratio, 1.0)
     });
@@ -214,7 +218,6 @@ fn of_cargo(rows: &[CargoRow]) -> String {
     let Some(exact) = pushed.max_by(|a, b| a.along.total_cmp(&b.along)) else {
         return String::new();
     };
-    let same = |a: f64, b: f64| a.total_cmp(&b).is_eq();
     let judged = of(Method::Lt).find(|row| {
         same(row.beta, exact.beta) && same(row.ratio, exact.ratio) && same(row.b, exact.b)
     });
