@@ -194,7 +194,7 @@ def calibration(raw, calibrated):
 def write(name, header, lines, columns="gap,name,value"):
     """A submission: header, one key a line (a JSON string or list is one of TOML too), then rows."""
     text = [f"#! {key} = {json.dumps(value, ensure_ascii=False)}" for key, value in header.items()]
-    text += [columns, *(",".join(line) for line in lines)]
+    text += [columns, *(",".join(map(str, line)) for line in lines)]
     (OUT / f"{name}.csv").write_text("\n".join(text) + "\n", encoding="utf-8", newline="\n")
 
 

@@ -25,13 +25,11 @@ import numpy
 from convert import PEERS, write
 
 GAPS = ("0.005", "0.01", "0.1", "0.5", "2", "38")
-ROWS = [f"{kind}{sphere}{axis}" for kind in "UO" for sphere in (1, 2) for axis in "xyz"]
-LOADS = [f"{kind}{sphere}{axis}" for kind in "FT" for sphere in (1, 2) for axis in "xyz"]
 OPEN, STOKESIAN_DYNAMICS = 1, 2
 
 
 def velocities(main, gap, column):
-    """Velocities, in the order of ROWS, by a unit load on one particle."""
+    """Velocities, in the order of the rows, U1x to O2z, by a unit load on one particle."""
     loads = numpy.zeros(12)
     loads[column] = 1.0
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
@@ -85,9 +83,9 @@ def run():
 
     lines = []
     for gap in GAPS:
-        for column, load in enumerate(LOADS):
+        for column in range(12):
             found = velocities(main, float(gap), column)
-            lines += [(gap, row, load, repr(float(value) + 0.0)) for row, value in zip(ROWS, found)]
+            lines += [(gap, row, column + 1, repr(float(value) + 0.0)) for row, value in enumerate(found, 1)]
     header = {"matrix": "mobility", **PEERS["jfsd"][1], "viscosity": 1.0 / (6.0 * math.pi)}
     del header["seconds_per_gap"]
     header["call"] = "main.main, hydrodynamic_interaction_flag 2, boundary_flag 1, 1 step of 1e-6, error_tolerance 1e-6"

@@ -73,7 +73,8 @@ def main():
         for column, (velocity, spin) in columns.items():
             values = dict(zip(VELOCITIES + SPINS, [*velocity, *spin]))
             # + 0.0 turns -0.0 to 0.0.
-            lines += [(gap, row, column, repr(float(values[row]) + 0.0)) for row in ROWS]
+            column = LOADS.index(column) + 1 if column in LOADS else column
+            lines += [(gap, k, column, repr(float(values[row]) + 0.0)) for k, row in enumerate(ROWS, 1)]
     header = {"matrix": "mobility", **PYSTOKES}
     del header["seconds_per_gap"]
     write("pystokes-matrix", header, lines, "gap,row,col,value")

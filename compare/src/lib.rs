@@ -14,7 +14,6 @@ mod defaults;
 pub mod effects;
 mod error;
 pub mod hard_cases;
-mod loads_file;
 mod method;
 mod model;
 mod model_options;
@@ -24,13 +23,14 @@ pub mod output;
 pub mod scene_file;
 pub mod scene_run;
 pub mod study;
+pub mod submission;
 pub mod sweep;
 pub mod watch;
 
 pub use case::{Approach, Case};
 pub use defaults::{Defaults, EncounterDefaults, OffsetDefaults};
 pub use error::{CompareError, FailureKind};
-pub use loads_file::{LoadsFile, LoadsFileError};
+
 pub use method::Method;
 pub use model::{BEM_TABLE_TOLERANCE, EXACT_TABLE_TOLERANCE, Model};
 pub use model_options::{ModelOptions, Reads};

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 use std::fmt;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use bem::Bem;
 use scene::{Gap, Hydrodynamics};
@@ -36,7 +36,9 @@ struct Registered {
     name: &'static str,
     /// Number among the models from outside, from 0.
     number: usize,
-    model: Box<dyn Hydrodynamics>,
+    model: Arc<dyn Hydrodynamics>,
+    /// Whether it takes so long for each gap that it is to be tabulated.
+    is_dear: bool,
 }
 
 /// The models from outside, in the order in which they were registered.
@@ -46,6 +48,11 @@ impl OtherModel {
     /// The model itself.
     pub(crate) fn hydrodynamics(self) -> &'static dyn Hydrodynamics {
         self.0.model.as_ref()
+    }
+
+    /// The same, to be tabulated, if it is dear.
+    pub(crate) fn dear(self) -> Option<Arc<dyn Hydrodynamics>> {
+        self.0.is_dear.then(|| Arc::clone(&self.0.model))
     }
 }
 
@@ -100,6 +107,15 @@ impl Method {
     /// # Ok::<(), compare::CompareError>(())
     /// ```
     pub fn register(name: &str, model: Box<dyn Hydrodynamics>) -> Result<Self, CompareError> {
+        Self::registered(name, model.into(), false)
+    }
+
+    /// The same for a model that may take so long for each gap that it `is_dear`: it is tabulated before it moves pairs.
+    pub(crate) fn registered(
+        name: &str,
+        model: Arc<dyn Hydrodynamics>,
+        is_dear: bool,
+    ) -> Result<Self, CompareError> {
         let refused = |allowed: &str| Err(CompareError::input("--method", name, allowed));
         let is_part = |c: char| c.is_alphanumeric() || "-_.".contains(c);
         if name.is_empty() || name.len() > MOST_LETTERS || !name.chars().all(is_part) {
@@ -119,6 +135,7 @@ impl Method {
             name: Box::leak(name.to_owned().into_boxed_str()),
             number: others.len(),
             model,
+            is_dear,
         })));
         others.push(other);
         Ok(Self::Other(other))

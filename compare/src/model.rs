@@ -24,6 +24,9 @@ pub const BEM_TABLE_TOLERANCE: f64 = 1e-6;
 /// Interpolation error of the exact tables, an error of velocity by unit slip.
 pub const EXACT_TABLE_TOLERANCE: f64 = 1e-9;
 
+/// Interpolation error of the tables of models from outside that are dear.
+const OTHER_TABLE_TOLERANCE: f64 = 1e-6;
+
 /// Right-hand sides in one timing, and number of timings. The shortest timing counts, because other work of the
 /// machine can only add time.
 const RATES: (usize, usize) = (2000, 15);
@@ -259,7 +262,18 @@ impl Kind {
                 check_loads(model, options.tabulated).map_err(|reason| {
                     CompareError::input("--method", method, reason.to_string())
                 })?;
-                Ok(Self::Other(model))
+                match other.dear() {
+                    Some(model) if !options.direct => {
+                        // Nobody knows whether it answers the same the next time.
+                        let options = ModelOptions {
+                            cache: None,
+                            ..options.clone()
+                        };
+                        let table = tabulate(model, method, OTHER_TABLE_TOLERANCE, &options)?;
+                        Ok(Self::Table(Box::new(table)))
+                    }
+                    _ => Ok(Self::Other(model)),
+                }
             }
             Method::Lt => lubrication(Form::Published),
             Method::LtCorrected => lubrication(Form::Corrected),
@@ -313,6 +327,7 @@ fn tabulate(
     };
     let what = match method {
         Method::Bem => "boundary elements",
+        Method::Other(_) => method.name(),
         _ => "exact loads",
     };
     let progress = Progress::begin(what, 0, Pieces::Gaps);

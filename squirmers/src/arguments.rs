@@ -1,13 +1,14 @@
 //! The arguments that several commands share.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
 use crate::error::CommandError;
 use compare::numbers::{Numbers, parse_number, parse_numbers, parse_whole};
 use compare::output::OutputFolder;
-use compare::{CompareError, LoadsFile, Method, ModelOptions};
+use compare::submission::{ANSWER_LIMIT, Submitted};
+use compare::{CompareError, Method, ModelOptions};
 
 /// What every command takes.
 #[derive(Debug, Args)]
@@ -65,8 +66,8 @@ pub(crate) struct EncounterArguments {
 /// The help of `--method` with these defaults.
 pub(crate) fn methods_help(default: &str) -> String {
     format!(
-        "Methods: lt (as published), lt-corrected, exact, bem, and NAME=FILE for a model whose loads are in a file in the \
-         format of loads.csv [default: {default}]"
+        "Methods: lt (as published), lt-corrected, exact, bem, NAME=FILE for a model whose answers are in a file, and \
+         NAME=exec:COMMAND for a process that answers (docs/JUDGE.md) [default: {default}]"
     )
 }
 
@@ -130,11 +131,11 @@ fn parse_methods(text: &str) -> Result<Methods, String> {
     let mut methods = Vec::new();
     for item in text.split(',') {
         let method = match item.split_once('=') {
-            Some((name, path)) => from_file(name.trim(), path.trim())?,
+            Some((name, source)) => from_outside(name.trim(), source.trim())?,
             None => Method::named(item.trim()).ok_or_else(|| {
                 let known: Vec<_> = Method::ALL.iter().map(|m| m.name()).collect();
                 let known = known.join(", ");
-                format!("'{item}' is not a method: use {known}, or NAME=FILE for loads in a file")
+                format!("'{item}' is not a method: use {known}, NAME=FILE for a model whose answers are in a file, or NAME=exec:COMMAND for a process")
             })?,
         };
         if methods.contains(&method) {
@@ -148,10 +149,10 @@ fn parse_methods(text: &str) -> Result<Methods, String> {
     Ok(Methods(methods))
 }
 
-/// The model whose loads are in a file.
-fn from_file(name: &str, path: &str) -> Result<Method, String> {
-    let loads = LoadsFile::read(Path::new(path)).map_err(|error| error.to_string())?;
-    Method::register(name, Box::new(loads)).map_err(|error| match error {
+/// The model whose loads are in a file, or that a process answers for.
+fn from_outside(name: &str, source: &str) -> Result<Method, String> {
+    let submitted = Submitted::open(source, ANSWER_LIMIT).map_err(|error| error.to_string())?;
+    submitted.register(name).map_err(|error| match error {
         CompareError::Input { value, allowed, .. } => {
             format!("'{value}' is not allowed: {allowed}")
         }

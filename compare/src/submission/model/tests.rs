@@ -7,6 +7,10 @@ use scene::{Outcome, RunOptions, run};
 use super::*;
 use crate::Family;
 
+fn parsed(text: &str) -> Result<SubmittedModel, SubmissionError> {
+    SubmittedModel::new(&Submission::parse(text)?)
+}
+
 mod mistakes;
 
 const HEADER: &str = "method,gap,name,value,error_estimate\n";
@@ -23,13 +27,13 @@ fn text_of(gaps: &[f64], loads: impl Fn(Gap) -> Vec<(String, f64)>) -> String {
 }
 
 /// The exact loads of `set` at some gaps.
-fn exact_file(gaps: &[f64], set: LoadSet) -> LoadsFile {
+fn exact_file(gaps: &[f64], set: LoadSet) -> SubmittedModel {
     let exact = Exact::new();
     let text = text_of(gaps, |gap| {
         let (loads, swirl) = exact.loads_with_swirl(gap, set).unwrap();
         (loads.named().into_iter().chain(swirl.named())).collect()
     });
-    LoadsFile::parse(&text).unwrap()
+    parsed(&text).unwrap()
 }
 
 /// Gaps from `from` to 20, about `each` a decade.
@@ -41,7 +45,7 @@ fn log_spaced(from: f64, each: f64) -> Vec<f64> {
 }
 
 /// Errors of all loads of `set` at `gap`, relative to the larger of the load and 1.
-fn errors(file: &LoadsFile, exact: &Exact, gap: Gap, set: LoadSet) -> Vec<f64> {
+fn errors(file: &SubmittedModel, exact: &Exact, gap: Gap, set: LoadSet) -> Vec<f64> {
     let named = |model: &dyn Hydrodynamics| {
         let (loads, swirl) = model.loads_with_swirl(gap, set).unwrap();
         loads.named().into_iter().chain(swirl.named())
@@ -128,7 +132,7 @@ fn the_diverging_part_is_subtracted_from_a_file_that_has_it_and_from_no_other() 
     let gaps = log_spaced(1e-4, 6.0);
     assert!(exact_file(&gaps, LoadSet::axial(1)).subtracted);
     let text = text_of(&gaps, without_lubrication);
-    let file = LoadsFile::parse(&text).unwrap();
+    let file = parsed(&text).unwrap();
     assert!(!file.subtracted);
     for ends in gaps.windows(2) {
         let gap = Gap::new((ends[0] * ends[1]).sqrt()).unwrap();
@@ -147,7 +151,7 @@ fn the_diverging_part_is_subtracted_from_a_file_that_has_it_and_from_no_other() 
 #[test]
 fn a_stated_error_holds_next_to_its_gap_and_the_largest_is_the_noise() {
     let text = text_of(&log_spaced(1e-3, 12.0), without_lubrication);
-    let file = LoadsFile::parse(&text).unwrap();
+    let file = parsed(&text).unwrap();
     assert_relative_eq!(file.description().noise, 1e-13);
     let gaps = log_spaced(1e-3, 12.0);
     let row = format!("mine,{:?},X12A,", gaps[10]);
@@ -157,7 +161,7 @@ fn a_stated_error_holds_next_to_its_gap_and_the_largest_is_the_noise() {
             None => format!("{line}\n"),
         })
         .collect();
-    let file = LoadsFile::parse(&stated).unwrap();
+    let file = parsed(&stated).unwrap();
     assert_relative_eq!(file.description().noise, 0.03);
     for (k, ends) in gaps.windows(2).enumerate() {
         let gap = Gap::new((ends[0] * ends[1]).sqrt()).unwrap();
@@ -172,7 +176,7 @@ fn a_stated_error_holds_next_to_its_gap_and_the_largest_is_the_noise() {
 
 #[test]
 fn a_load_that_the_file_lacks_is_named() {
-    let file = LoadsFile::parse(&text_of(&log_spaced(1e-2, 4.0), without_lubrication)).unwrap();
+    let file = parsed(&text_of(&log_spaced(1e-2, 4.0), without_lubrication)).unwrap();
     let gap = Gap::new(1.0).unwrap();
     for (set, name) in [
         (LoadSet::axial(2), "XF1_2"),
@@ -216,7 +220,7 @@ fn val_a_collision_by_exact_loads_from_a_file_is_the_exact_one() {
 #[test]
 fn a_run_fails_where_the_file_ends_far_out_and_is_unresolved_where_it_ends_at_contact() {
     let family = Family::parse(Family::PAPER[0].1).unwrap();
-    let outside = |file: &LoadsFile, dx: f64, angles_at: f64| {
+    let outside = |file: &SubmittedModel, dx: f64, angles_at: f64| {
         let point = family.scene(&[("dx", dx)]).unwrap();
         let options = RunOptions {
             angles_at,
@@ -254,18 +258,18 @@ fn a_run_fails_where_the_file_ends_far_out_and_is_unresolved_where_it_ends_at_co
 #[test]
 fn the_fingerprint_follows_the_numbers_and_nothing_else() {
     let text = text_of(&log_spaced(1e-2, 4.0), without_lubrication);
-    let fingerprint = |text: &str| LoadsFile::parse(text).unwrap().fingerprint();
+    let fingerprint = |text: &str| parsed(text).unwrap().fingerprint();
     let first = fingerprint(&text);
     let mut rows: Vec<&str> = text.lines().skip(1).collect();
     rows.reverse();
     rows.rotate_left(17);
     let shuffled = format!("# mine\n{HEADER}{}\n", rows.join("\n"));
     assert_eq!(fingerprint(&shuffled), first);
-    // Columns in another order, fewer or more, a comment between rows, and numbers written in another way.
-    let mut turned = "value, name ,gap,time\n# X12A,1\n".to_owned();
+    // Columns in another order, fewer, a comment between rows, and numbers written in another way.
+    let mut turned = "value, name ,gap\n# X12A,1\n".to_owned();
     for row in &rows {
         let fields: Vec<&str> = row.split(',').collect();
-        writeln!(turned, "{0}, {1},{2}e0,7", fields[3], fields[2], fields[1]).unwrap();
+        writeln!(turned, "{0}, {1},{2}e0", fields[3], fields[2], fields[1]).unwrap();
     }
     assert_eq!(fingerprint(&turned), first);
     for (from, to) in [("XF2_1,-2", "XF2_1,-3"), ("none\n", "0.5\n")] {

@@ -1,0 +1,306 @@
+//! The 12 x 12 matrix of a pair, with columns for slip: what it says in named quantities, and which laws it breaks by itself.
+
+use std::collections::BTreeMap;
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
+
+use nalgebra::SMatrix;
+use scene::{MAX_MODES, legendre};
+
+use super::header::{Header, MatrixKind};
+use super::quantity::{Quantity, Values};
+
+/// Rows, and columns that are not by slip.
+pub(super) const SIZE: usize = 12;
+
+/// A column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Column {
+    /// By a force or velocity, counted from 0.
+    Rigid(usize),
+    /// By a slip mode.
+    Slip(Slip),
+}
+
+/// A slip column: mode, squirmer (0 or 1) and orientation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Slip {
+    mode: usize,
+    squirmer: usize,
+    axis: Axis,
+}
+
+/// Orientation of a squirmer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Axis {
+    X,
+    Z,
+    Xz,
+}
+
+impl Axis {
+    /// Along x and z.
+    fn orientation(self) -> [f64; 2] {
+        match self {
+            Self::X => [1.0, 0.0],
+            Self::Z => [0.0, 1.0],
+            Self::Xz => [FRAC_1_SQRT_2; 2],
+        }
+    }
+}
+
+/// The place of a number in a matrix, with the row counted from 0. Sorted column by column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Place {
+    pub column: Column,
+    pub row: usize,
+}
+
+impl Place {
+    pub const ROWS: &'static str = "a whole number from 1 to 12";
+    pub const COLUMNS: &'static str = "a whole number from 1 to 12, or a slip column such as B1_1z: mode, squirmer and orientation x, z or xz";
+
+    /// From the texts of row and column.
+    ///
+    /// # Errors
+    /// Which of the two is wrong: "row" or "col".
+    pub fn parse(row: &str, column: &str) -> Result<Self, &'static str> {
+        let number = |text: &str| {
+            let number: Option<usize> = text.parse().ok();
+            number
+                .filter(|number| (1..=SIZE).contains(number))
+                .map(|number| number - 1)
+        };
+        let column = number(column)
+            .map(Column::Rigid)
+            .or_else(|| Slip::parse(column).map(Column::Slip));
+        Ok(Self {
+            row: number(row).ok_or("row")?,
+            column: column.ok_or("col")?,
+        })
+    }
+}
+
+impl Slip {
+    pub fn parse(text: &str) -> Option<Self> {
+        let (mode, of) = text.strip_prefix('B')?.split_once('_')?;
+        let mode = mode
+            .parse()
+            .ok()
+            .filter(|mode| (1..=MAX_MODES).contains(mode))?;
+        let (squirmer, axis) = of.split_at_checked(1)?;
+        Some(Self {
+            mode,
+            squirmer: match squirmer {
+                "1" => 0,
+                "2" => 1,
+                _ => return None,
+            },
+            axis: match axis {
+                "x" => Axis::X,
+                "z" => Axis::Z,
+                "xz" => Axis::Xz,
+                _ => return None,
+            },
+        })
+    }
+}
+
+impl std::fmt::Display for Column {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Rigid(number) => write!(f, "{}", number + 1),
+            Self::Slip(Slip {
+                mode,
+                squirmer,
+                axis,
+            }) => {
+                let axis = match axis {
+                    Axis::X => "x",
+                    Axis::Z => "z",
+                    Axis::Xz => "xz",
+                };
+                write!(f, "B{mode}_{}{axis}", squirmer + 1)
+            }
+        }
+    }
+}
+
+/// A matrix of a pair at one gap, complete, and its columns by slip.
+pub(super) struct Matrix {
+    pub rigid: SMatrix<f64, SIZE, SIZE>,
+    pub slip: BTreeMap<Slip, [f64; SIZE]>,
+}
+
+/// Laws that a matrix breaks by itself, at one gap: sizes of what is wrong, in the units of the scalars (which are 1 of lone spheres).
+#[derive(Clone, Debug, PartialEq)]
+pub struct MatrixLaws {
+    /// Largest difference of two entries that reciprocity makes equal, and these entries.
+    pub asymmetry: (f64, String),
+    /// The same of entries that are equal because the spheres are, and because nothing tells x from y.
+    pub images: (f64, String),
+    /// Smallest eigenvalue of the symmetric part.
+    pub smallest_eigenvalue: f64,
+}
+
+/// Sign of an entry's part along x, y, z (velocities, then spins) as the pair is turned by pi about the x axis.
+const TURNED: [f64; SIZE] = [
+    1.0, -1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, -1.0, 1.0, -1.0, -1.0,
+];
+
+/// Place of the same part of the other sphere.
+fn exchanged(row: usize) -> usize {
+    if row % 6 < 3 { row + 3 } else { row - 3 }
+}
+
+/// Place and sign after a turn by a quarter about the z axis: x becomes y, y becomes -x.
+fn quarter(row: usize) -> (usize, f64) {
+    match row % 3 {
+        0 => (row + 1, 1.0),
+        1 => (row - 1, -1.0),
+        _ => (row, 1.0),
+    }
+}
+
+/// Of a force or a translation, and not of a torque or a spin.
+fn is_force(row: usize) -> bool {
+    row < 6
+}
+
+impl Matrix {
+    /// In the units of the scalars: entries of a mobility times, of a resistance over `6 pi mu a` and so on.
+    fn dimensionless(&self, header: &Header, kind: MatrixKind) -> SMatrix<f64, SIZE, SIZE> {
+        let (a, mu) = (header.radius, header.viscosity);
+        SMatrix::from_fn(|i, j| {
+            let unit = match (is_force(i), is_force(j)) {
+                (true, true) => 6.0 * PI * mu * a,
+                (false, false) => 8.0 * PI * mu * a.powi(3),
+                _ => 4.0 * PI * mu * a * a,
+            };
+            match kind {
+                MatrixKind::Mobility => self.rigid[(i, j)] * unit,
+                MatrixKind::Resistance => self.rigid[(i, j)] / unit,
+            }
+        })
+    }
+
+    /// Its quantities, and the laws that it breaks.
+    pub fn read(&self, header: &Header, kind: MatrixKind) -> (Values, MatrixLaws) {
+        let scalars = self.dimensionless(header, kind);
+        let mut values = Values::default();
+        let mut put = |name: &str, value: f64| {
+            if let Some(quantity) = Quantity::named(name) {
+                values.set(quantity, value);
+            }
+        };
+        // d is z, t is x, d x t is y.
+        let [x, z, spin_y, spin_z] = [0, 2, 7, 8];
+        for (k, other) in [("11", 0), ("12", 3)] {
+            let at = |row: usize, column: usize| scalars[(row + other, column)];
+            let [xa, ya, yb, xc, yc] = [
+                at(z, z),
+                at(x, x),
+                at(spin_y, x),
+                at(spin_z, spin_z),
+                at(spin_y, spin_y),
+            ];
+            match kind {
+                MatrixKind::Mobility => {
+                    put(&format!("x{k}a"), xa);
+                    put(&format!("y{k}a"), ya);
+                    put(&format!("y{k}b"), yb);
+                    put(&format!("x{k}c"), xc);
+                    put(&format!("y{k}c"), yc);
+                }
+                MatrixKind::Resistance => {
+                    put(&format!("X{k}A"), xa);
+                    put(&format!("Y{k}A"), ya);
+                    // The torque by the fluid is 4 pi Y11B U on the sphere itself, -4 pi Y12B U on the other one.
+                    put(&format!("Y{k}B"), if other == 0 { -yb } else { yb });
+                    put(&format!("X{k}C"), xc);
+                    put(&format!("Y{k}C"), yc);
+                }
+            }
+        }
+        for (slip, column) in &self.slip {
+            for (name, value) in slip.quantities(column, header, kind) {
+                put(&name, value);
+            }
+        }
+        (values, laws(&scalars))
+    }
+}
+
+impl Slip {
+    /// What a column says. Of two columns that say the same the later one stands.
+    fn quantities(
+        &self,
+        column: &[f64; SIZE],
+        header: &Header,
+        kind: MatrixKind,
+    ) -> Vec<(String, f64)> {
+        let (a, mu) = (header.radius, header.viscosity);
+        // From this squirmer to the other one, d is z or -z; t is x, so that d x t is y or -y.
+        let side = if self.squirmer == 0 { 1.0 } else { -1.0 };
+        let [across, along] = self.axis.orientation();
+        let Some(order) = legendre(side * along).nth(self.mode - 1) else {
+            return Vec::new();
+        };
+        let names = match kind {
+            MatrixKind::Mobility => ["UX", "UY", "OY"],
+            MatrixKind::Resistance => ["XF", "YF", "YT"],
+        };
+        let units = match kind {
+            MatrixKind::Mobility => [1.0, 1.0, 1.0 / a],
+            MatrixKind::Resistance => [PI * mu * a, PI * mu * a, PI * mu * a * a],
+        };
+        let mut quantities = Vec::new();
+        for (sphere, number) in [(self.squirmer, 1), (1 - self.squirmer, 2)] {
+            let at = |row: usize| column[row + 3 * sphere];
+            let transverse = order.w * across;
+            let parts = [
+                (side * at(2), order.p, self.axis == Axis::Z),
+                (at(0), transverse, transverse.abs() > 0.1),
+                (side * at(7), transverse, transverse.abs() > 0.1),
+            ];
+            for ((name, unit), (part, factor, is_read)) in names.into_iter().zip(units).zip(parts) {
+                if is_read {
+                    quantities.push((
+                        format!("{name}{number}_{}", self.mode),
+                        part / (factor * unit),
+                    ));
+                }
+            }
+        }
+        quantities
+    }
+}
+
+fn laws(scalars: &SMatrix<f64, SIZE, SIZE>) -> MatrixLaws {
+    let mut asymmetry = (0.0, String::new());
+    let mut images = (0.0, String::new());
+    let note = |worst: &mut (f64, String), [one, other]: [(usize, usize); 2], sign: f64| {
+        let difference = (scalars[one] - sign * scalars[other]).abs();
+        if difference > worst.0 {
+            let entry = |(row, column): (usize, usize)| format!("({}, {})", row + 1, column + 1);
+            *worst = (difference, format!("{} and {}", entry(one), entry(other)));
+        }
+    };
+    for i in 0..SIZE {
+        for j in 0..SIZE {
+            note(&mut asymmetry, [(i, j), (j, i)], 1.0);
+            note(
+                &mut images,
+                [(i, j), (exchanged(i), exchanged(j))],
+                TURNED[i] * TURNED[j],
+            );
+            let ((turned_i, sign_i), (turned_j, sign_j)) = (quarter(i), quarter(j));
+            note(&mut images, [(i, j), (turned_i, turned_j)], sign_i * sign_j);
+        }
+    }
+    let symmetric = (scalars + scalars.transpose()) * 0.5;
+    MatrixLaws {
+        asymmetry,
+        images,
+        smallest_eigenvalue: symmetric.symmetric_eigenvalues().min(),
+    }
+}
