@@ -14,6 +14,7 @@ mod defaults;
 pub mod effects;
 mod error;
 pub mod hard_cases;
+pub mod judge;
 mod method;
 mod model;
 mod model_options;

@@ -177,7 +177,7 @@ pub enum SubmissionError {
         name: String,
     },
     /// A quantity that the motion needs and the submission lacks.
-    #[error("the file has no load {name}, which the motion needs")]
+    #[error("the file has no {name}, which the motion needs")]
     NotHeld {
         /// The quantity.
         name: String,

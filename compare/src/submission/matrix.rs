@@ -297,7 +297,12 @@ fn laws(scalars: &SMatrix<f64, SIZE, SIZE>) -> MatrixLaws {
             note(&mut images, [(i, j), (turned_i, turned_j)], sign_i * sign_j);
         }
     }
-    let symmetric = (scalars + scalars.transpose()) * 0.5;
+    // Velocities and spins, forces and torques each in one unit: only so do signs of eigenvalues mean what they should.
+    let congruent = SMatrix::<f64, SIZE, SIZE>::from_fn(|i, j| {
+        let mixed = is_force(i) != is_force(j);
+        scalars[(i, j)] * if mixed { 48.0_f64.sqrt() / 4.0 } else { 1.0 }
+    });
+    let symmetric = (congruent + congruent.transpose()) * 0.5;
     MatrixLaws {
         asymmetry,
         images,

@@ -4,6 +4,7 @@ pub(crate) mod bottom_heavy;
 mod cost;
 pub(crate) mod encounters;
 mod hard_cases;
+mod judge;
 mod loads;
 mod many;
 pub(crate) mod maps;
@@ -23,6 +24,7 @@ use crate::report;
 use crate::streams::print_line;
 use cost::CostArguments;
 use hard_cases::HardCaseArguments;
+use judge::JudgeArguments;
 use maps::{MapArguments, TrustArguments};
 use shared::{highest, model_options, sweep_options};
 use sweep::{MergeArguments, SweepArguments};
@@ -122,6 +124,11 @@ pub(crate) enum Command {
     /// Numerically hard cases, each compared with a bound; exit status 1 if a bound is broken
     #[command(after_help = "Example:\n  squirmers hard-cases --only contact,long-runs")]
     HardCases(HardCaseArguments),
+    /// Judge anybody's models against exact hydrodynamics: errors, laws, collisions, and a verdict in words
+    #[command(
+        after_help = "Example:\n  squirmers judge theirs=theirs.csv\n  squirmers judge 'theirs=exec:python3 docs/judge_example.py' --json"
+    )]
+    Judge(JudgeArguments),
     /// Sweep of a family of scenes along any of its parameters: one row for each scene and model
     #[command(
         after_help = "Example:\n  squirmers sweep opposed --vary beta=-5,0,5 --vary dx=0.5:3:0.5 --method lt,exact\n  \
@@ -173,6 +180,7 @@ pub(crate) fn run(
         Command::Fates(map) => maps::fates(map, general),
         Command::BottomHeavy { models, runs } => bottom_heavy::run(models, runs, general),
         Command::HardCases(cases) => hard_cases::run(cases, general),
+        Command::Judge(given) => judge::run(given, general, typed),
         Command::Trust(map) => maps::trust(map, general),
         Command::Ratios(given) => unlike::ratios(given, general),
         Command::Cargo(given) => unlike::cargo(given, general),

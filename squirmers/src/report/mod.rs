@@ -9,6 +9,7 @@ mod findings;
 mod hard_cases;
 mod maps;
 mod outcomes;
+mod peers;
 mod unlike;
 mod words;
 
@@ -89,7 +90,8 @@ pub(crate) fn write(
     content
         .sections
         .push(hard_cases::section(methods, options, out)?);
-    if models.iter().any(|model| model.method() == Method::Exact) {
+    if let Some(exact) = models.iter().find(|model| model.method() == Method::Exact) {
+        content.sections.push(peers::section(exact, out)?);
         content.sections.push(cost::section(out)?);
     }
     let page = Page {

@@ -184,8 +184,7 @@ fn a_load_that_the_file_lacks_is_named() {
         (LoadSet::axial_and_twist(1), "X11C"),
         (LoadSet::axial(1).with_swirl(1), "XTC1_1"),
     ] {
-        let text =
-            format!("loads from a file: the file has no load {name}, which the motion needs");
+        let text = format!("loads from a file: the file has no {name}, which the motion needs");
         let error = file.loads_with_swirl(gap, set).unwrap_err();
         assert_eq!(error.to_string(), text);
         assert_eq!(file.error_estimate(gap, set), Err(error));

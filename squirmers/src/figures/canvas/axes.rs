@@ -100,7 +100,11 @@ impl Panel<'_> {
                 width,
             )
         };
-        let along_y = Ticks::new(&self.y.range, self.y.most, self.y.scale, up);
+        let along_y = if self.y.named.is_empty() {
+            Ticks::new(&self.y.range, self.y.most, self.y.scale, up)
+        } else {
+            Ticks::named(&self.y.named, |_| TEXT, height)
+        };
         let (mut mesh, mut ticks) = (String::new(), String::new());
         for (value, label) in along_x.values.iter().zip(&along_x.labels) {
             let x = left + width * self.x.share(*value);

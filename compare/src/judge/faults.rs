@@ -1,0 +1,498 @@
+//! What is wrong with a submission, and what would mend it.
+
+use super::contact::Contact;
+use super::points::{Item, Point};
+use crate::numbers::{rounded, written};
+use crate::submission::Quantity;
+
+/// Error from which on something is wrong, relative to the larger of the truth and its value of a lone sphere.
+pub const FAULT: f64 = 1e-4;
+
+/// Spread of ratios up to which they are one factor.
+const ONE_FACTOR: f64 = 5e-3;
+
+/// What is far, how far a ratio may be off there, how much of that may change from one gap to the next, and the size of noise.
+const FAR: f64 = 8.0;
+const FAR_OFF: f64 = 5e-3;
+const LASTING: f64 = 0.2;
+pub(super) const NOISE: f64 = 5e-6;
+
+/// Truth below which a ratio is one of rounding errors.
+pub(super) const FAINT: f64 = 1e-8;
+
+/// A kind of fault.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// It would fit with the other sign.
+    Sign,
+    /// It is this many times what it should be, at all gaps.
+    Factor(f64),
+    /// The same with the other sign.
+    SignAndFactor(f64),
+    /// It is this many times what it should be, at gaps up to the second number.
+    FactorBelow(f64, f64),
+    /// Beyond this gap the spheres are alone, and should not be.
+    Cut(f64),
+    /// It is that of a lone sphere at every gap.
+    Alone,
+    /// It lies on straight lines between some of the gaps; the number of these.
+    StraightLines(usize),
+    /// It is right at its gaps, and wrong between them by its own interpolation.
+    Between,
+    /// One value alone is wrong, at this gap.
+    OneValue(f64),
+    /// A singular term near contact is missing.
+    NoLubrication,
+    /// A singular term near contact has this factor instead of the second number.
+    Coefficient(f64, f64),
+    /// The singular terms are right, and the constant next to them is off by this much.
+    Constant(f64),
+    /// It has the wrong sign at some gaps, of which these are the smallest and the largest.
+    SignAt(f64, f64),
+    /// Far away it is this many times what it should be.
+    Far(f64),
+    /// Its error is within the smallest bound only at larger gaps than this.
+    Error,
+}
+
+/// A fault of some quantities.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fault {
+    /// What is wrong.
+    pub kind: Kind,
+    /// With what.
+    pub items: Vec<Item>,
+    /// Largest error of each, and the gap where it is.
+    pub worst_of: Vec<(f64, f64)>,
+}
+
+impl Kind {
+    /// Name in tables.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sign => "wrong sign",
+            Self::Factor(_) => "wrong factor",
+            Self::SignAndFactor(_) => "wrong sign and factor",
+            Self::FactorBelow(..) => "wrong factor near contact",
+            Self::Cut(_) => "cut",
+            Self::Alone => "no effect of the other sphere",
+            Self::StraightLines(_) => "straight lines between few gaps",
+            Self::Between => "wrong between its gaps",
+            Self::OneValue(_) => "one wrong value",
+            Self::NoLubrication => "missing lubrication",
+            Self::Coefficient(..) => "wrong coefficient of lubrication",
+            Self::Constant(_) => "wrong constant next to lubrication",
+            Self::SignAt(..) => "wrong sign at some gaps",
+            Self::Far(_) => "wrong far field",
+            Self::Error => "inaccurate",
+        }
+    }
+
+    /// The number that it comes with.
+    #[must_use]
+    pub fn number(self) -> f64 {
+        match self {
+            Self::Factor(number)
+            | Self::SignAndFactor(number)
+            | Self::FactorBelow(number, _)
+            | Self::Cut(number)
+            | Self::OneValue(number)
+            | Self::Coefficient(number, _)
+            | Self::Constant(number)
+            | Self::SignAt(number, _)
+            | Self::Far(number) => number,
+            Self::StraightLines(number) => number as f64,
+            Self::Sign => -1.0,
+            Self::Alone | Self::Between | Self::NoLubrication | Self::Error => f64::NAN,
+        }
+    }
+
+    /// Whether two faults are one of several quantities.
+    fn is_like(self, other: Self) -> bool {
+        let close = |a: f64, b: f64| (a / b - 1.0).abs() < ONE_FACTOR;
+        match (self, other) {
+            (Self::Factor(a), Self::Factor(b))
+            | (Self::SignAndFactor(a), Self::SignAndFactor(b)) => close(a, b),
+            (Self::FactorBelow(a, at), Self::FactorBelow(b, also)) => {
+                close(a, b) && close(at, also)
+            }
+            (Self::Cut(a), Self::Cut(b)) | (Self::OneValue(a), Self::OneValue(b)) => close(a, b),
+            (Self::Coefficient(a, at), Self::Coefficient(b, also)) => {
+                close(a / at, b / also) && close(at.abs(), also.abs())
+            }
+            (Self::StraightLines(a), Self::StraightLines(b)) => a == b,
+            (Self::Far(a), Self::Far(b)) => close(a, b),
+            (Self::Constant(_) | Self::SignAt(..), _) => false,
+            _ => std::mem::discriminant(&self) == std::mem::discriminant(&other),
+        }
+    }
+}
+
+impl Fault {
+    /// Largest error, and the gap where it is.
+    #[must_use]
+    pub fn worst(&self) -> (f64, f64) {
+        let all = self.worst_of.iter().copied();
+        all.fold((0.0, f64::NAN), |worst, error| {
+            if error.0 > worst.0 { error } else { worst }
+        })
+    }
+
+    /// The fault in a sentence.
+    #[must_use]
+    pub fn sentence(&self) -> String {
+        let names = listed(&self.items);
+        let (worst, at) = self.worst();
+        let percent = size_percent(worst);
+        let at = written(at);
+        let (is, fits) = if self.items.len() == 1 {
+            ("is", "would fit")
+        } else {
+            ("are", "would fit")
+        };
+        match self.kind {
+            Kind::Sign => format!("{names} {fits} with the other sign"),
+            Kind::Factor(factor) => format!(
+                "{names} {is} {} times what exact loads are at every gap: {fits} if divided by {}",
+                number(factor),
+                number(factor)
+            ),
+            Kind::SignAndFactor(factor) => format!(
+                "{names} {fits} with the other sign and divided by {}",
+                number(factor.abs())
+            ),
+            Kind::FactorBelow(factor, below) => format!(
+                "{names} {is} {} times too large at gaps up to {} and right beyond: {fits} if divided by {} there",
+                number(factor),
+                written(below),
+                number(factor)
+            ),
+            Kind::Cut(cut) => format!(
+                "from gap {} on the spheres no longer feel each other ({names}): a cut, off by {percent} at gap {at}",
+                written(cut)
+            ),
+            Kind::Alone => format!(
+                "{names} {is} that of a lone sphere at every gap, off by up to {percent} (gap {at})"
+            ),
+            Kind::StraightLines(nodes) => format!(
+                "{names} {is} read along straight lines between about {nodes} gaps: off by up to {percent} between them (gap {at})"
+            ),
+            Kind::Between => format!(
+                "{names} {is} right at the gaps of the file and off by up to {percent} between them (gap {at}): the gaps are too far apart for this interpolation"
+            ),
+            Kind::OneValue(gap) => format!(
+                "{names} {is} off by {percent} at gap {} and right next to it",
+                written(gap)
+            ),
+            Kind::NoLubrication => {
+                format!("lubrication is missing in {names}: off by {percent} at gap {at}")
+            }
+            Kind::Coefficient(value, truth) => format!(
+                "near contact {names} {} {} where {} belongs, in front of the singular term",
+                if self.items.len() == 1 { "has" } else { "have" },
+                number(value.abs()),
+                number(truth.abs())
+            ),
+            Kind::Constant(constant) => format!(
+                "near contact {names} {} the right singular term, and a constant next to it that is off by {}",
+                if self.items.len() == 1 { "has" } else { "have" },
+                number(constant)
+            ),
+            Kind::SignAt(from, to) if from < to => format!(
+                "{names} has the wrong sign at gaps from {} to {}",
+                written(from),
+                written(to)
+            ),
+            Kind::SignAt(at, _) => format!("{names} has the wrong sign at gap {}", written(at)),
+            Kind::Far(factor) => format!(
+                "far away {names} {is} {} times what the far field is",
+                number(factor)
+            ),
+            Kind::Error => self.each_error(),
+        }
+    }
+}
+
+impl Fault {
+    /// The largest errors one by one, and how many are smaller.
+    fn each_error(&self) -> String {
+        const MOST: usize = 4;
+        let mut all: Vec<_> = self.items.iter().zip(&self.worst_of).collect();
+        all.sort_by(|a, b| b.1.0.total_cmp(&a.1.0));
+        let each: Vec<String> = (all.iter().take(MOST))
+            .map(|(item, (error, gap))| {
+                format!("{item} by {} (gap {})", size_percent(*error), written(*gap))
+            })
+            .collect();
+        let more = match all.get(MOST..).unwrap_or_default() {
+            [] => String::new(),
+            rest => format!(", {} more by less", rest.len()),
+        };
+        format!("off are {}{more}", each.join(", "))
+    }
+}
+
+/// A number as a person reads it.
+fn number(value: f64) -> String {
+    if value.abs() < 0.01 {
+        return crate::numbers::size(value);
+    }
+    let digits = if value.abs() >= 100.0 { 1 } else { 3 };
+    rounded(value, digits)
+        .trim_end_matches('0')
+        .trim_end_matches('.')
+        .to_owned()
+}
+
+/// An error in per cent, with two digits.
+pub(super) fn size_percent(error: f64) -> String {
+    let percent = 100.0 * error.abs();
+    if percent >= 10.0 {
+        format!("{percent:.0} %")
+    } else if percent >= 0.1 {
+        format!("{percent:.1} %")
+    } else {
+        format!("{} %", crate::numbers::size(percent))
+    }
+}
+
+/// Names of some items, the first few of many.
+pub(super) fn listed(items: &[Item]) -> String {
+    const MOST: usize = 6;
+    let names: Vec<String> = items.iter().take(MOST).map(Item::to_string).collect();
+    let more = items.len().saturating_sub(MOST);
+    let is_torque = |item: &Item| matches!(item, Item::Quantity(quantity) if quantity.is_torque());
+    let kind = if items.len() > 2 && items.iter().all(is_torque) {
+        " (torques)"
+    } else {
+        ""
+    };
+    match (names.split_last(), more) {
+        (None, _) => String::new(),
+        (Some((last, [])), 0) => last.clone(),
+        (Some((last, first)), 0) => format!("{} and {last}{kind}", first.join(", ")),
+        (Some(_), more) => format!("{} and {more} more{kind}", names.join(", ")),
+    }
+}
+
+/// Puts like faults of several quantities together.
+pub(super) fn merged(faults: Vec<Fault>) -> Vec<Fault> {
+    let mut merged: Vec<Fault> = Vec::new();
+    for fault in faults {
+        match merged
+            .iter_mut()
+            .find(|other| other.kind.is_like(fault.kind))
+        {
+            Some(other) => {
+                other.items.extend(fault.items);
+                other.worst_of.extend(fault.worst_of);
+            }
+            None => merged.push(fault),
+        }
+    }
+    merged
+}
+
+/// The point with the largest error.
+pub(super) fn worst(points: &[Point]) -> (f64, f64) {
+    let errors = points.iter().map(|point| (point.error().abs(), point.gap));
+    errors.fold((0.0, f64::NAN), |worst, error| {
+        if error.0 > worst.0 { error } else { worst }
+    })
+}
+
+/// The faults of a quantity that is given, from its points by rising gap, those between its gaps by its own interpolation, and the
+/// fit of its singular part. `tolerance` is the error from which on something is wrong.
+pub(super) fn of_quantity(
+    (quantity, points): (Quantity, &[Point]),
+    between: &[Point],
+    contact: Option<&Contact>,
+    tolerance: f64,
+) -> Vec<Fault> {
+    let item = Item::Quantity(quantity);
+    let fault = |kind: Kind, points: &[Point]| Fault {
+        kind,
+        items: vec![item],
+        worst_of: vec![worst(points)],
+    };
+    let mut faults = Vec::new();
+    let whole = whole(quantity, points, tolerance);
+    if let Some(kind) = whole {
+        faults.push(fault(kind, points));
+    } else if worst(points).0 > tolerance {
+        let near = contact.and_then(|contact| near_contact(contact, points, tolerance));
+        faults.push(fault(near.unwrap_or(Kind::Error), points));
+    } else if worst(between).0 > tolerance.max(10.0 * worst(points).0) {
+        faults.push(fault(Kind::Between, between));
+    }
+    if whole.is_none() {
+        faults.extend(far(points).map(|kind| fault(kind, points)));
+        faults.extend(signs(points).map(|kind| fault(kind, points)));
+    }
+    faults
+}
+
+/// One fault that explains all points.
+fn whole(quantity: Quantity, points: &[Point], tolerance: f64) -> Option<Kind> {
+    let is_right = |point: &Point| point.error().abs() <= tolerance;
+    if points.iter().all(is_right) {
+        return None;
+    }
+    // Points at which the other sphere is felt.
+    let largest = points
+        .iter()
+        .fold(0.0, |largest: f64, point| largest.max(point.truth.abs()));
+    let felt: Vec<&Point> = (points.iter())
+        .filter(|point| point.truth.abs() > 1e-3 * largest.max(1e-3))
+        .collect();
+    let one_factor = |points: &[&Point]| -> Option<f64> {
+        let ratios: Vec<f64> = points
+            .iter()
+            .map(|point| point.value / point.truth)
+            .collect();
+        let mean = ratios.iter().sum::<f64>() / ratios.len() as f64;
+        let is_one = ratios.iter().all(|ratio| {
+            (ratio / mean - 1.0).abs() <= ONE_FACTOR * (1.0 - 1.0 / mean).abs().clamp(0.02, 1.0)
+        });
+        (is_one && mean.is_finite() && (mean - 1.0).abs() > tolerance).then_some(mean)
+    };
+    if felt.len() >= 3
+        && let Some(factor) = one_factor(&felt)
+    {
+        return Some(match factor {
+            sign if (sign + 1.0).abs() < ONE_FACTOR => Kind::Sign,
+            negative if negative < 0.0 => Kind::SignAndFactor(negative),
+            factor => Kind::Factor(factor),
+        });
+    }
+    if let Some(kind) = alone(quantity, points, tolerance) {
+        return Some(kind);
+    }
+    if let Some(kind) = straight(points) {
+        return Some(kind);
+    }
+    // Right from some gap on, and one factor below.
+    let right = points
+        .iter()
+        .rev()
+        .take_while(|point| is_right(point))
+        .count();
+    let (below, beyond) = points.split_at(points.len() - right);
+    if beyond.len() >= 2 && below.len() >= 2 {
+        let felt: Vec<&Point> = below
+            .iter()
+            .filter(|point| point.truth.abs() > 1e-3)
+            .collect();
+        let last = below.last()?;
+        if felt.len() >= 2
+            && let Some(factor) = one_factor(&felt)
+        {
+            return Some(Kind::FactorBelow(factor, last.gap));
+        }
+    }
+    // One in the middle, far worse than its neighbours.
+    let mut middles = points.windows(3);
+    let wrong = points.iter().filter(|point| !is_right(point)).count();
+    let stands_out = |three: &[Point]| {
+        let [before, here, after] = [0, 1, 2].map(|k| three[k].error().abs());
+        here > tolerance && here > 20.0 * before.max(after)
+    };
+    let one = middles.find(|three| wrong == 1 && stands_out(three))?;
+    Some(Kind::OneValue(one[1].gap))
+}
+
+/// Whether the value is that of a lone sphere from some gap on, although it should not be.
+fn alone(quantity: Quantity, points: &[Point], tolerance: f64) -> Option<Kind> {
+    let lone = quantity.isolated();
+    let is_lone = |point: &&Point| (point.value - lone).abs() < 1e-9;
+    let count = points.iter().rev().take_while(is_lone).count();
+    let (below, beyond) = points.split_at(points.len() - count);
+    if !beyond.iter().any(|point| point.error().abs() > tolerance) {
+        return None;
+    }
+    match (below, beyond) {
+        ([], _) => Some(Kind::Alone),
+        // It was felt before.
+        ([.., last], [first, ..]) if (last.value - lone).abs() > 1e-6 => Some(Kind::Cut(first.gap)),
+        _ => None,
+    }
+}
+
+/// Whether most points lie on straight lines between their neighbours, in the gap or in its logarithm, where the truth does not.
+fn straight(points: &[Point]) -> Option<Kind> {
+    let lies = |coordinate: &dyn Fn(f64) -> f64| {
+        let on_line = points.windows(3).filter(|three| {
+            let x = [0, 1, 2].map(|k| coordinate(three[k].gap));
+            let share = (x[1] - x[0]) / (x[2] - x[0]);
+            let off = |of: &dyn Fn(&Point) -> f64| {
+                let chord = of(&three[0]) * (1.0 - share) + of(&three[2]) * share;
+                (of(&three[1]) - chord).abs() / of(&three[1]).abs().max(1.0)
+            };
+            off(&|point| point.value) < 1e-9 && off(&|point| point.truth) > 1e-5
+        });
+        on_line.count()
+    };
+    // One may be chance.
+    let count = lies(&|gap| gap).max(lies(&f64::ln));
+    (count >= 2).then(|| Kind::StraightLines(points.len() - count))
+}
+
+/// Deviation of a singular term that is told, and the largest share of the error that it may leave unexplained.
+const COEFFICIENT_OFF: f64 = 0.05;
+const UNEXPLAINED: f64 = 0.2;
+
+fn near_contact(contact: &Contact, points: &[Point], tolerance: f64) -> Option<Kind> {
+    if contact.is_missing() {
+        return Some(Kind::NoLubrication);
+    }
+    // A term is told only where it explains what is wrong.
+    if contact.misfit > UNEXPLAINED * worst(points).0 {
+        return None;
+    }
+    if (contact.ratio() - 1.0).abs() > COEFFICIENT_OFF {
+        return Some(Kind::Coefficient(contact.value, contact.truth));
+    }
+    (contact.constant.abs() > 10.0 * tolerance).then_some(Kind::Constant(contact.constant))
+}
+
+/// Whether it is a constant factor off where the spheres are far from each other: where that is more than noise, which has another factor at
+/// each gap.
+fn far(points: &[Point]) -> Option<Kind> {
+    let far = points
+        .iter()
+        .filter(|point| point.gap >= FAR && point.truth.abs() > FAINT);
+    let far: Vec<&Point> = far.collect();
+    let [before @ .., last] = far.as_slice() else {
+        return None;
+    };
+    let off = |point: &Point| point.value / point.truth - 1.0;
+    let lasts = before
+        .last()
+        .is_some_and(|before| (off(before) - off(last)).abs() <= LASTING * off(last).abs());
+    let felt = (last.value - last.truth).abs() > NOISE;
+    ((lasts || felt) && off(last).abs() > FAR_OFF && off(last) > -1.0)
+        .then_some(Kind::Far(1.0 + off(last)))
+}
+
+/// The gaps at which it has the wrong sign, where it is no rounding error.
+fn signs(points: &[Point]) -> Option<Kind> {
+    let largest = points
+        .iter()
+        .fold(0.0, |largest: f64, point| largest.max(point.truth.abs()));
+    // Beside a zero of the truth a small error changes the sign.
+    let crosses = |place: usize| {
+        let around = points.get(place.saturating_sub(1)..(place + 2).min(points.len()));
+        around
+            .unwrap_or_default()
+            .windows(2)
+            .any(|two| two[0].truth * two[1].truth < 0.0)
+    };
+    let wrong = points.iter().enumerate().filter(|(place, point)| {
+        point.value * point.truth < 0.0
+            && point.truth.abs() > (1e-3 * largest).max(FAINT)
+            && !crosses(*place)
+    });
+    let gaps: Vec<f64> = wrong.map(|(_, point)| point.gap).collect();
+    Some(Kind::SignAt(*gaps.first()?, *gaps.last()?))
+}

@@ -1,0 +1,528 @@
+//! Judges anybody's model of two equal spheres against exact hydrodynamics: its numbers, the laws that they must obey, what it makes of collisions,
+//! and a verdict in words.
+
+mod collisions;
+mod contact;
+mod curves;
+mod faults;
+mod leaderboard;
+mod points;
+mod rows;
+mod verdict;
+
+use std::time::Instant;
+
+use scene::{Gap, LoadSet, SceneError};
+
+use crate::study::maps::Grid;
+use crate::submission::{
+    Answer, Header, Interpolation, Process, Quantity, Submission, SubmissionError, Submitted,
+    SubmittedModel, Values,
+};
+use crate::watch::{Pieces, Progress};
+use crate::{CompareError, Method, Model};
+
+pub use collisions::{ANGLES_AT, BETAS, BoundComparison, CaseScore, Collisions, Parting};
+pub use contact::Contact;
+pub use curves::{ErrorAt, Group};
+pub use faults::{FAULT, Fault, Kind};
+pub use leaderboard::{LeaderRow, is_public, leader_rows, leaderboard, submission_of};
+pub use points::{Item, Point, TRUST, Truth, trusted_down_to};
+pub use rows::JudgeRow;
+
+/// Gaps at which a process is asked, within its range.
+pub const GAPS: [f64; 22] = [
+    0.001, 0.002, 0.005, 0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5,
+    2.0, 4.0, 10.0, 38.0, 100.0, 998.0,
+];
+
+/// Gap from which on units and signs of the far field can be checked.
+pub const FAR_GAP: f64 = 38.0;
+
+/// A model and what there is to say of it.
+#[derive(Clone, Debug)]
+pub struct Scorecard {
+    /// The name that the user gave.
+    pub name: String,
+    /// What it says of itself.
+    pub header: Header,
+    /// Errors at its own gaps, calibrated if it declares a calibration.
+    pub points: Vec<Point>,
+    /// Errors of what is by slip without the calibration; none if it declares none.
+    pub raw: Vec<Point>,
+    /// Errors between its gaps, by the interpolation that it declares.
+    pub between: Vec<Point>,
+    /// Quantities of the modes 1 and 2 that it neither gives at all gaps nor that follow from those.
+    pub missing: Vec<Missing>,
+    /// Worst breaches of laws by matrices, with the gap: asymmetry, unlike spheres, smallest eigenvalue.
+    pub matrix_laws: Vec<Law>,
+    /// Smallest eigenvalue of the mobility of scalars at each gap, 1 of lone spheres.
+    pub definite: Vec<(f64, f64)>,
+    /// Singular terms near contact.
+    pub contacts: Vec<Contact>,
+    /// Sums of singular terms that must cancel, relative to one of them.
+    pub third_law: Vec<(String, f64)>,
+    /// Powers of the distance with which it falls off far away, and the true ones.
+    pub decays: Vec<Decay>,
+    /// What is wrong with it.
+    pub faults: Vec<Fault>,
+    /// Collisions, or why there are none.
+    pub collisions: Result<Collisions, String>,
+    /// Seconds for one gap: stated, or measured of a process.
+    pub seconds_per_gap: Option<f64>,
+    /// The same of exact loads, measured now.
+    pub exact_seconds_per_gap: f64,
+}
+
+/// A quantity that is missing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Missing {
+    /// Which.
+    pub quantity: Quantity,
+    /// At how many gaps.
+    pub at: usize,
+}
+
+/// A law that matrices obey or break.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Law {
+    /// Name: `reciprocity`, `equal spheres`, `smallest eigenvalue`.
+    pub name: &'static str,
+    /// The size of the breach, in the units of the scalars; the eigenvalue itself.
+    pub value: f64,
+    /// Gap where it is.
+    pub gap: f64,
+    /// The entries of the matrix.
+    pub entries: String,
+}
+
+impl Law {
+    /// Whether it is broken.
+    #[must_use]
+    pub fn is_broken(&self) -> bool {
+        match self.name {
+            EIGENVALUE => self.value <= 0.0,
+            _ => self.value > FAULT,
+        }
+    }
+}
+
+const EIGENVALUE: &str = "smallest eigenvalue";
+
+/// How fast a quantity falls off between the two largest gaps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Decay {
+    /// Which quantity.
+    pub quantity: Quantity,
+    /// Power of the distance of the centres, by the submission and truly.
+    pub powers: [f64; 2],
+    /// Whether its error there is more than noise.
+    pub is_off: bool,
+}
+
+/// What is asked of a submission beside its numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// The grid of incoming angles; none leaves collisions out.
+    pub grid: Option<Grid>,
+}
+
+/// Judges a submission. `exact` is the model that its collisions are compared with; `method` that of the submission, or why it moves no pair.
+///
+/// # Errors
+/// [`CompareError`] if exact loads fail, or a process does not answer.
+pub fn judge(
+    name: &str,
+    submitted: &Submitted,
+    theirs: Result<&Model, String>,
+    exact: &Model,
+    options: &Options,
+) -> Result<Scorecard, CompareError> {
+    let header = submitted.header().clone();
+    let asked;
+    let (submission, measured) = match submitted {
+        Submitted::File(submission) => (submission, None),
+        Submitted::Process(process) => {
+            let seconds;
+            (asked, seconds) = ask(name, process)?;
+            (&asked, Some(seconds))
+        }
+    };
+    let answers = submission.answers();
+    let calibrated: Vec<(Gap, Values)> = (answers.iter())
+        .map(|answer| (answer.gap, answer.values.calibrated(&header)))
+        .collect();
+    let given = answers
+        .iter()
+        .flat_map(|answer| answer.values.iter().map(|(quantity, _)| quantity));
+    let truth = Truth::of(given);
+    let points = truth.points(&calibrated)?;
+    let raw = if header.slip_calibration.is_empty() {
+        Vec::new()
+    } else {
+        let raw: Vec<_> = answers
+            .iter()
+            .map(|answer| (answer.gap, answer.values.clone()))
+            .collect();
+        let by_slip = |point: &Point| match point.item {
+            Item::Quantity(quantity) => quantity.mode().is_some(),
+            Item::Approach(_) => true,
+        };
+        truth.points(&raw)?.into_iter().filter(by_slip).collect()
+    };
+    let between = match submitted {
+        Submitted::File(submission) => between(submission, &truth)?,
+        Submitted::Process(_) => Vec::new(),
+    };
+    let items = points::by_item(&points);
+    let contacts: Vec<Contact> = items
+        .iter()
+        .filter_map(|(item, points)| contact::fit(*item, points))
+        .collect();
+    let faults = found_faults(submission, &items, &between, &contacts);
+    let collisions = match (theirs, options.grid) {
+        (_, None) => Err("not asked for".to_owned()),
+        (Err(reason), _) => Err(reason),
+        (Ok(theirs), Some(grid)) => Ok(collisions::collisions(theirs, exact, grid)?),
+    };
+    let some_gaps: Vec<Gap> = answers.iter().map(|answer| answer.gap).take(20).collect();
+    Ok(Scorecard {
+        name: name.to_owned(),
+        missing: missing(answers.len(), &points),
+        matrix_laws: matrix_laws(answers),
+        definite: definite(&points),
+        third_law: contact::third_law(&contacts),
+        decays: decays(&items),
+        seconds_per_gap: measured.or(header.seconds_per_gap),
+        exact_seconds_per_gap: seconds_of(&truth, &some_gaps)?,
+        header,
+        points,
+        raw,
+        between,
+        contacts,
+        faults,
+        collisions,
+    })
+}
+
+/// Sets up the model of a submission for collisions; otherwise the reason why it moves no pair.
+///
+/// # Errors
+/// [`CompareError`] if the table of a process fails for another reason than what it lacks.
+pub fn mover(name: &str, submitted: &Submitted) -> Result<Result<Model, String>, CompareError> {
+    let reason = |error: CompareError| match error {
+        CompareError::Input { allowed, .. } => allowed,
+        other => other.in_one_line(),
+    };
+    let method = match submitted.register(name) {
+        Ok(method) => method,
+        // A name that is taken or not allowed.
+        Err(error) if submitted.model().is_ok() => return Err(error),
+        Err(error) => return Ok(Err(reason(error))),
+    };
+    // What it lacks is told in its own words.
+    if let Ok((model, _)) = submitted.model() {
+        let range = model.range();
+        let gap = Gap::new(range.largest.min(1.0).max(range.smallest))?;
+        if let Err(SceneError::Model { source, .. }) =
+            model.interacting_loads(gap, LoadSet::planar(2))
+        {
+            return Ok(Err(source.to_string()));
+        }
+    }
+    let smallest_needed = ANGLES_AT - 2.0;
+    if method.largest_gap() < smallest_needed {
+        return Ok(Err(format!(
+            "its largest gap is {}, and a pair that parts is followed to a gap of {}",
+            crate::numbers::written(method.largest_gap()),
+            crate::numbers::written(smallest_needed)
+        )));
+    }
+    let options = crate::ModelOptions {
+        tabulated: LoadSet::planar(2),
+        ..crate::ModelOptions::default()
+    };
+    Ok(Model::set_up(method, &options).map_err(reason))
+}
+
+/// The method of the referee, with the loads that collisions read.
+///
+/// # Errors
+/// As [`Model::set_up`].
+pub fn referee(options: &crate::ModelOptions) -> Result<Model, CompareError> {
+    let options = crate::ModelOptions {
+        tabulated: LoadSet::planar(2),
+        direct: false,
+        ..options.clone()
+    };
+    Model::set_up(Method::Exact, &options)
+}
+
+/// The answers of a process at [`GAPS`], and the time that it takes for one.
+fn ask(name: &str, process: &Process) -> Result<(Submission, f64), CompareError> {
+    let range = process
+        .header()
+        .range
+        .unwrap_or([0.0, f64::INFINITY])
+        .map(|end| end / process.header().radius);
+    let within: Vec<f64> = GAPS
+        .into_iter()
+        .filter(|gap| (range[0]..=range[1]).contains(gap))
+        .collect();
+    let failed = |error: SubmissionError| CompareError::input("judge", name, error.to_string());
+    if within.is_empty() {
+        let allowed = format!("its range holds none of the gaps {GAPS:?}");
+        return Err(CompareError::input("judge", name, allowed));
+    }
+    let progress = Progress::begin("questions", within.len(), Pieces::Alike);
+    let mut answers = Vec::new();
+    let started = Instant::now();
+    for &gap in &within {
+        let answer = process.answer(Gap::new(gap)?).map_err(failed)?;
+        answers.push(Answer::clone(&answer));
+        progress.advance();
+    }
+    let seconds = started.elapsed().as_secs_f64() / within.len() as f64;
+    Ok((
+        Submission::of_answers(process.header().clone(), answers),
+        seconds,
+    ))
+}
+
+fn seconds_of(truth: &Truth, gaps: &[Gap]) -> Result<f64, SceneError> {
+    let started = Instant::now();
+    for &gap in gaps {
+        truth.at(gap)?;
+    }
+    Ok(started.elapsed().as_secs_f64() / gaps.len().max(1) as f64)
+}
+
+/// Places between two gaps, as shares of the interval of the gap's logarithm.
+const SHARES: [f64; 3] = [0.25, 0.5, 0.75];
+
+/// Number of gaps above which only the middle of each interval is looked at.
+const MANY: usize = 100;
+
+/// Errors between the gaps of a file, by the interpolation that it declares.
+fn between(submission: &Submission, truth: &Truth) -> Result<Vec<Point>, SceneError> {
+    let declared = submission.header().interpolation;
+    if declared.is_none_or(|declared| declared == Interpolation::None) {
+        return Ok(Vec::new());
+    }
+    let Ok(model) = SubmittedModel::new(submission) else {
+        return Ok(Vec::new());
+    };
+    let answers = submission.answers();
+    let shares = if answers.len() > MANY {
+        &SHARES[1..2]
+    } else {
+        &SHARES[..]
+    };
+    let mut said = Vec::new();
+    for ends in answers.windows(2) {
+        let [from, to] = [0, 1].map(|k| ends[k].gap.ln());
+        for share in shares {
+            let gap = Gap::from_ln(from + share * (to - from));
+            let mut values = Values::default();
+            for quantity in Quantity::all() {
+                if let Some(value) = model.quantity(gap, quantity)? {
+                    values.set(quantity, value);
+                }
+            }
+            said.push((gap, values));
+        }
+    }
+    truth.points(&said)
+}
+
+/// Quantities of a complete submission: loads of rigid motion and of the first two modes.
+fn expected() -> impl Iterator<Item = Quantity> {
+    Quantity::all().filter(|quantity| {
+        quantity.is_load()
+            && !quantity.is_by_swirl()
+            && quantity.mode().is_none_or(|mode| mode <= 2)
+    })
+}
+
+fn missing(gaps: usize, points: &[Point]) -> Vec<Missing> {
+    let lacks = |quantity: Quantity| {
+        let there = points
+            .iter()
+            .filter(|point| point.item == Item::Quantity(quantity))
+            .count();
+        let at = gaps - there.min(gaps);
+        (at > 0).then_some(Missing { quantity, at })
+    };
+    expected().filter_map(lacks).collect()
+}
+
+/// The faults of what is given, like ones together, and missing lubrication of what follows.
+fn found_faults(
+    submission: &Submission,
+    items: &[(Item, Vec<Point>)],
+    between: &[Point],
+    contacts: &[Contact],
+) -> Vec<Fault> {
+    let between = points::by_item(between);
+    let of = |item: Item| {
+        between
+            .iter()
+            .find(|(other, _)| *other == item)
+            .map_or(&[][..], |(_, points)| points)
+    };
+    let mut faults = Vec::new();
+    for (item, points) in items {
+        let Item::Quantity(quantity) = *item else {
+            continue;
+        };
+        let contact = contacts.iter().find(|contact| contact.item == *item);
+        let given: Vec<Point> = points.iter().filter(|point| point.given).copied().collect();
+        if given.is_empty() {
+            let missing = contact.filter(|contact| contact.is_missing());
+            faults.extend(missing.map(|_| Fault {
+                kind: Kind::NoLubrication,
+                items: vec![*item],
+                worst_of: vec![faults::worst(points)],
+            }));
+            continue;
+        }
+        let stated = (submission.answers().iter()).filter_map(|answer| answer.errors.get(quantity));
+        let tolerance = stated.fold(FAULT, |most, error| most.max(3.0 * error));
+        let between: Vec<Point> = of(*item)
+            .iter()
+            .filter(|point| point.given)
+            .copied()
+            .collect();
+        faults.extend(faults::of_quantity(
+            (quantity, &given),
+            &between,
+            contact,
+            tolerance,
+        ));
+    }
+    let mut merged = faults::merged(faults);
+    merged.sort_by(|a, b| b.worst().0.total_cmp(&a.worst().0));
+    merged
+}
+
+fn matrix_laws(answers: &[Answer]) -> Vec<Law> {
+    let mut laws: Vec<Law> = Vec::new();
+    let mut keep = |law: Law, worse: fn(f64, f64) -> bool| match laws
+        .iter_mut()
+        .find(|other| other.name == law.name)
+    {
+        Some(other) if worse(law.value, other.value) => *other = law,
+        Some(_) => {}
+        None => laws.push(law),
+    };
+    for answer in answers {
+        let Some(of) = &answer.laws else { continue };
+        let gap = answer.gap.eps();
+        for (name, (value, entries)) in [
+            ("reciprocity", &of.asymmetry),
+            ("equal spheres", &of.images),
+        ] {
+            let law = Law {
+                name,
+                value: *value,
+                gap,
+                entries: entries.clone(),
+            };
+            keep(law, |new, old| new > old);
+        }
+        let law = Law {
+            name: EIGENVALUE,
+            value: of.smallest_eigenvalue,
+            gap,
+            entries: String::new(),
+        };
+        keep(law, |new, old| new < old);
+    }
+    laws
+}
+
+/// Smallest eigenvalue of the mobility at each gap at which all ten scalars are there or follow.
+fn definite(points: &[Point]) -> Vec<(f64, f64)> {
+    let mut smallest: Vec<(f64, f64)> = Vec::new();
+    let mut gaps: Vec<f64> = points.iter().map(|point| point.gap).collect();
+    gaps.sort_by(f64::total_cmp);
+    gaps.dedup();
+    for gap in gaps {
+        let of = |name: &str| {
+            let item = Item::Quantity(Quantity::named(name)?);
+            let point = points
+                .iter()
+                .find(|point| point.item == item && point.gap.total_cmp(&gap).is_eq());
+            point.map(|point| point.value)
+        };
+        let pair = |kind: &str| {
+            let (axis, letter) = kind.split_at(1);
+            Some([
+                of(&format!("{axis}11{letter}"))?,
+                of(&format!("{axis}12{letter}"))?,
+            ])
+        };
+        let all = (|| {
+            Some([
+                pair("xa")?,
+                pair("ya")?,
+                pair("yb")?,
+                pair("xc")?,
+                pair("yc")?,
+            ])
+        })();
+        let Some([xa, ya, yb, xc, yc]) = all else {
+            continue;
+        };
+        let mut least = f64::INFINITY;
+        for sign in [1.0, -1.0] {
+            for own in [xa, xc] {
+                least = least.min(own[0] + sign * own[1]);
+            }
+            // In the units of the scalars, so that a lone sphere has ones.
+            let (a, b, c) = (
+                ya[0] + sign * ya[1],
+                yb[0] - sign * yb[1],
+                yc[0] - sign * yc[1],
+            );
+            let b = b * (6.0_f64 * 8.0).sqrt() / 4.0;
+            let mean = 0.5 * (a + c);
+            least = least.min(mean - (0.5 * (a - c)).hypot(b));
+        }
+        smallest.push((gap, least));
+    }
+    smallest
+}
+
+/// Powers of the distance between the two largest gaps, both far, of what vanishes far away.
+fn decays(items: &[(Item, Vec<Point>)]) -> Vec<Decay> {
+    let mut decays = Vec::new();
+    for (item, points) in items {
+        let Item::Quantity(quantity) = *item else {
+            continue;
+        };
+        let far: Vec<&Point> = points
+            .iter()
+            .filter(|point| point.given && point.gap >= 3.0)
+            .collect();
+        let [.., near, last] = far.as_slice() else {
+            continue;
+        };
+        // Those that do not vanish have no power.
+        if quantity.isolated().abs() > 0.0 || last.truth.abs() < faults::FAINT {
+            continue;
+        }
+        let power = |of: fn(&Point) -> f64| {
+            (of(near) / of(last)).abs().ln() / ((2.0 + near.gap) / (2.0 + last.gap)).ln()
+        };
+        decays.push(Decay {
+            quantity,
+            powers: [power(|point| point.value), power(|point| point.truth)],
+            is_off: (last.value - last.truth).abs() > faults::NOISE,
+        });
+    }
+    decays
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,309 @@
+use approx::assert_relative_eq;
+use exact::Exact;
+use scene::Hydrodynamics;
+
+use super::*;
+use crate::ModelOptions;
+use crate::numbers::written;
+
+const ALL: LoadSet = LoadSet::all(2);
+
+/// Gaps at about twelve a decade, with one far out.
+fn gaps() -> Vec<f64> {
+    let near = (0..48).map(|k| 1e-3 * 10_f64.powf(f64::from(k) / 12.0));
+    near.chain([38.0]).collect()
+}
+
+/// A file of the exact loads at some gaps, with each value changed.
+fn file(header: &str, gaps: &[f64], change: impl Fn(f64, &str, f64) -> f64) -> Submission {
+    let exact = Exact::new();
+    let mut text = format!("#! model = \"copy\"\n{header}gap,name,value\n");
+    for &gap in gaps {
+        for (name, value) in exact.loads(Gap::new(gap).unwrap(), ALL).unwrap().named() {
+            let value = change(gap, &name, value);
+            text += &format!("{gap:?},{name},{value:?}\n");
+        }
+    }
+    Submission::parse(&text).unwrap()
+}
+
+fn judged(submission: Submission) -> Scorecard {
+    let options = Options { grid: None };
+    let referee = Model::set_up(
+        Method::Exact,
+        &ModelOptions {
+            direct: true,
+            ..ModelOptions::default()
+        },
+    );
+    judge(
+        "copy",
+        &Submitted::File(submission),
+        Err("not asked for".to_owned()),
+        &referee.unwrap(),
+        &options,
+    )
+    .unwrap()
+}
+
+/// The faults by name, with the names of what is wrong.
+fn named(card: &Scorecard) -> Vec<(&'static str, Vec<String>)> {
+    let items = |fault: &Fault| fault.items.iter().map(ToString::to_string).collect();
+    card.faults
+        .iter()
+        .map(|fault| (fault.kind.name(), items(fault)))
+        .collect()
+}
+
+fn verdict(card: &Scorecard) -> String {
+    card.verdict().join("\n")
+}
+
+#[test]
+fn val_a_copy_within_1e_6_has_no_fault_and_is_trusted_at_all_gaps() {
+    let signs: Vec<f64> = (0..97)
+        .map(|k| if (k * k) % 7 < 3 { 1.0 } else { -1.0 })
+        .collect();
+    let card = judged(file("", &gaps(), |gap, name, value| {
+        let hash = name.bytes().map(usize::from).sum::<usize>() + (1e6 * gap) as usize;
+        value + 1e-6 * signs[hash % signs.len()] * value.abs().max(1.0)
+    }));
+    assert!(card.is_faultless(), "{}", verdict(&card));
+    assert!(
+        verdict(&card).contains("No fault found"),
+        "{}",
+        verdict(&card)
+    );
+    for bound in TRUST {
+        assert_eq!(card.trusted(bound), Some(1e-3));
+    }
+    assert!(card.missing.is_empty());
+}
+
+#[test]
+fn val_each_broken_copy_of_exact_loads_is_told_apart_by_name() {
+    let singular = |gap: f64| if gap <= 1.0 { 0.75 * gap.ln() } else { 0.0 };
+    // Y11B with the other sign.
+    let card = judged(file("", &gaps(), |_, name, value| {
+        if name == "Y11B" { -value } else { value }
+    }));
+    assert_eq!(named(&card), [("wrong sign", vec!["Y11B".to_owned()])]);
+    assert!(
+        verdict(&card).contains("Y11B would fit with the other sign"),
+        "{}",
+        verdict(&card)
+    );
+    // X11A 2 % too large near contact.
+    let card = judged(file("", &gaps(), |gap, name, value| {
+        if name == "X11A" && gap < 0.05 {
+            1.02 * value
+        } else {
+            value
+        }
+    }));
+    assert_eq!(
+        named(&card),
+        [("wrong factor near contact", vec!["X11A".to_owned()])]
+    );
+    let Kind::FactorBelow(factor, below) = card.faults[0].kind else {
+        panic!("{:?}", card.faults)
+    };
+    assert_relative_eq!(factor, 1.02, epsilon = 1e-9);
+    assert!((0.04..0.05).contains(&below));
+    assert!(
+        verdict(&card).contains("X11A is 1.02 times too large"),
+        "{}",
+        verdict(&card)
+    );
+    // The paper's 9/4 in place of 3.
+    let card = judged(file("", &gaps(), |gap, name, value| match name {
+        _ if name.starts_with("XF1") => value + singular(gap),
+        _ if name.starts_with("XF2") => value - singular(gap),
+        _ => value,
+    }));
+    assert_eq!(card.faults.len(), 1, "{:?}", named(&card));
+    assert_eq!(
+        card.faults[0].kind.name(),
+        "wrong coefficient of lubrication"
+    );
+    assert_eq!(card.faults[0].items.len(), 4);
+    assert!(
+        verdict(&card).contains("have 2.25 where 3 belongs"),
+        "{}",
+        verdict(&card)
+    );
+    // A factor 2 in torques.
+    let torques =
+        |name: &str| ["Y11C", "Y12C", "X11C", "X12C"].contains(&name) || name.starts_with("YT");
+    let card = judged(file("", &gaps(), |_, name, value| {
+        if torques(name) { 2.0 * value } else { value }
+    }));
+    assert_eq!(card.faults.len(), 1, "{:?}", named(&card));
+    assert_relative_eq!(card.faults[0].kind.number(), 2.0, epsilon = 1e-9);
+    assert_eq!(card.faults[0].items.len(), 8);
+    assert!(
+        verdict(&card).contains("(torques) are 2 times"),
+        "{}",
+        verdict(&card)
+    );
+    // A cut.
+    let card = judged(file("", &gaps(), |gap, name, value| {
+        if gap > 0.5 {
+            Quantity::named(name).unwrap().isolated()
+        } else {
+            value
+        }
+    }));
+    assert!(
+        named(&card).iter().all(|(name, _)| *name == "cut"),
+        "{:?}",
+        named(&card)
+    );
+    assert!(
+        verdict(&card).contains("the spheres no longer feel each other"),
+        "{}",
+        verdict(&card)
+    );
+    let cut = card.faults[0].kind.number();
+    assert!((0.5..0.6).contains(&cut), "{cut}");
+    // Eight nodes, read along straight lines: right where it was made.
+    let eight: Vec<f64> = (0..8)
+        .map(|k| 1e-3 * 10_f64.powf(f64::from(k) * 4.6 / 7.0))
+        .collect();
+    let card = judged(file(
+        "#! interpolation = \"linear\"\n",
+        &eight,
+        |_, _, value| value,
+    ));
+    assert!(
+        named(&card)
+            .iter()
+            .all(|(name, _)| *name == "wrong between its gaps"),
+        "{:?}",
+        named(&card)
+    );
+    assert!(
+        verdict(&card).contains("the gaps are too far apart for this interpolation"),
+        "{}",
+        verdict(&card)
+    );
+    // The same, sampled densely by somebody who does not say so.
+    let table = SubmittedModel::new(&file(
+        "#! interpolation = \"linear\"\n",
+        &eight,
+        |_, _, value| value,
+    ))
+    .unwrap();
+    let card = judged(file("", &gaps()[..48], |gap, name, _| {
+        table
+            .quantity(Gap::new(gap).unwrap(), Quantity::named(name).unwrap())
+            .unwrap()
+            .unwrap()
+    }));
+    assert!(
+        verdict(&card).contains("read along straight lines"),
+        "{}",
+        verdict(&card)
+    );
+}
+
+#[test]
+fn one_wrong_value_and_a_wrong_far_field_are_told() {
+    let all = gaps();
+    let typing = all[20];
+    let card = judged(file("", &all, |gap, name, value| {
+        if name == "Y12C" && gap.total_cmp(&typing).is_eq() {
+            value + 0.1
+        } else {
+            value
+        }
+    }));
+    assert_eq!(named(&card), [("one wrong value", vec!["Y12C".to_owned()])]);
+    assert!(verdict(&card).contains(&format!("at gap {}", written(typing))));
+    let card = judged(file("", &all, |gap, name, value| {
+        if name == "X12A" && gap > 20.0 {
+            1.5 * value
+        } else {
+            value
+        }
+    }));
+    assert!(
+        named(&card)
+            .iter()
+            .any(|(name, items)| *name == "wrong far field" && items == &["X12A"]),
+        "{:?}",
+        named(&card)
+    );
+}
+
+#[test]
+fn what_is_missing_is_said_and_what_is_there_is_scored() {
+    let card = judged(file("", &gaps(), |_, _, value| value));
+    assert!(card.is_faultless());
+    let text = "#! model = \"some\"\n#! version = \"1\"\n#! citation = \"nobody\"\ngap,name,value\n38,x12a,0.0375\n0.1,x12a,0.7\n";
+    let card = judged(Submission::parse(text).unwrap());
+    assert!(card.trusted(0.01).is_some());
+    assert_eq!(card.missing.len(), 22);
+    let said = verdict(&card);
+    assert!(
+        said.contains("Missing, and so not scored: X11A, X12A"),
+        "{said}"
+    );
+    assert!(
+        said.contains("too few") || said.contains("No collisions"),
+        "{said}"
+    );
+    assert!(!said.contains("Not stated"), "{said}");
+}
+
+#[test]
+fn val_errors_of_public_codes_are_those_that_were_measured_apart_from_this_code() {
+    let mut cards: Vec<(String, Scorecard)> = Vec::new();
+    let mut compared = 0;
+    for line in fixtures::PEER_ERRORS
+        .lines()
+        .filter(|line| !line.starts_with('#'))
+        .skip(1)
+    {
+        let fields: Vec<&str> = line.split(',').collect();
+        let [model, item, gap, percent] = fields[..] else {
+            panic!("{line}")
+        };
+        if !cards.iter().any(|(name, _)| name == model) {
+            cards.push((
+                model.to_owned(),
+                judged(Submission::parse(fixtures::peer(model).unwrap()).unwrap()),
+            ));
+        }
+        let (_, card) = cards.iter().find(|(name, _)| name == model).unwrap();
+        let gap: f64 = gap.parse().unwrap();
+        let point = card.points.iter().find(|point| {
+            point.item.to_string().replace(',', "") == item && (point.gap / gap - 1.0).abs() < 1e-9
+        });
+        let found = point.unwrap_or_else(|| panic!("{line}")).relative_percent();
+        // Of Y11B, which is negative, the published error is that of its size.
+        let found = if item == "Y11B" { -found } else { found };
+        let Some(bound) = percent.strip_prefix("<=") else {
+            let published: f64 = percent.parse().unwrap();
+            // The digits that are printed.
+            let decimals = percent.split_once('.').map_or(0, |(_, decimals)| {
+                decimals
+                    .trim_end_matches(|c: char| !c.is_ascii_digit())
+                    .len()
+            });
+            let unit = if percent.contains('e') {
+                0.5 * 10_f64.powf(published.abs().log10().floor())
+            } else {
+                10_f64.powi(-(decimals as i32))
+            };
+            assert!((found - published).abs() <= unit, "{line}: {found}");
+            compared += 1;
+            continue;
+        };
+        let bound: f64 = bound.parse().unwrap();
+        // Printed with two digits.
+        assert!(found.abs() <= 1.05 * bound, "{line}: {found}");
+        compared += 1;
+    }
+    assert!(compared > 150, "{compared}");
+}

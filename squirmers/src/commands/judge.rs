@@ -1,0 +1,337 @@
+//! `squirmers judge`: anybody's models against exact hydrodynamics, with a verdict in words.
+
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use compare::judge::{JudgeRow, Options, Scorecard, judge, mover, referee};
+use compare::numbers::{parse_number, parse_whole, rounded};
+use compare::output::csv_text;
+use compare::study::maps::Grid;
+use compare::submission::Submitted;
+use serde::Serialize;
+
+use crate::arguments::GeneralArguments;
+use crate::error::CommandError;
+use crate::page::{Figure, Page, Section, Table, render};
+use crate::streams::print_line;
+use crate::{figures, provenance};
+
+/// Points a side of the grid of incoming angles.
+const GRID: usize = 12;
+
+#[derive(Debug, Args)]
+pub(crate) struct JudgeArguments {
+    /// Models: NAME=FILE, or NAME=exec:COMMAND for a process that answers (docs/JUDGE.md)
+    #[arg(value_name = "NAME=FILE", required = true)]
+    submissions: Vec<String>,
+    /// Points a side of the grid of incoming angles, for the shares of outcomes; 0 leaves all collisions out
+    #[arg(long, value_name = "N", default_value_t = GRID, value_parser = parse_whole, allow_hyphen_values = true)]
+    grid: usize,
+    /// Seconds that a process has for an answer
+    #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = parse_number, allow_hyphen_values = true)]
+    answer_limit: f64,
+    /// Print all as JSON instead of the verdict in words
+    #[arg(long)]
+    json: bool,
+}
+
+pub(super) fn run(
+    arguments: &JudgeArguments,
+    general: &GeneralArguments,
+    typed: &[String],
+) -> Result<(), CommandError> {
+    let started = Instant::now();
+    let limit = Duration::try_from_secs_f64(arguments.answer_limit)
+        .ok()
+        .filter(|limit| !limit.is_zero());
+    let limit = limit.ok_or_else(|| {
+        let allowed = "give a number of seconds greater than 0";
+        CommandError::input("--answer-limit", arguments.answer_limit, allowed)
+    })?;
+    let grid = match arguments.grid {
+        0 => None,
+        points => Some(Grid::new(points)?),
+    };
+    let mut submissions: Vec<(&str, Submitted)> = Vec::new();
+    for text in &arguments.submissions {
+        let refused = |allowed: String| CommandError::input("judge", text, allowed);
+        let (name, source) = text
+            .split_once('=')
+            .ok_or_else(|| refused("give NAME=FILE, or NAME=exec:COMMAND".to_owned()))?;
+        if submissions.iter().any(|(other, _)| *other == name) {
+            return Err(refused(
+                "the name is there twice: give each model its own".to_owned(),
+            ));
+        }
+        let submitted = Submitted::open(source, limit);
+        let submitted =
+            submitted.map_err(|error| CommandError::input("judge", name, error.to_string()))?;
+        submissions.push((name, submitted));
+    }
+    let movers = (submissions.iter())
+        .map(|(name, submitted)| Ok(mover(name, submitted)?))
+        .collect::<Result<Vec<_>, CommandError>>()?;
+    let out = general.output()?;
+    let exact = referee(&general.model_options())?;
+    let options = Options { grid };
+    let mut cards = Vec::new();
+    for ((name, submitted), mover) in submissions.iter().zip(&movers) {
+        let theirs = mover.as_ref().map_err(String::clone);
+        cards.push(judge(name, submitted, theirs, &exact, &options)?);
+    }
+    let rows: Vec<JudgeRow> = cards.iter().flat_map(Scorecard::rows).collect();
+    out.write("judge.csv", &csv_text(&rows)?)?;
+    let errors: Vec<_> = cards.iter().flat_map(Scorecard::curves).collect();
+    let picture = figures::judged_errors(&errors)?;
+    out.write("judge.svg", &picture)?;
+    let page = page(
+        &cards,
+        &rows,
+        picture,
+        provenance::of(typed, started.elapsed().as_secs_f64()),
+    )?;
+    let path = out.write("judge.html", &page)?;
+    if arguments.json {
+        let all: Vec<Judged<'_>> = cards.iter().map(Judged::of).collect();
+        let text = serde_json::to_string_pretty(&all)
+            .map_err(|error| CommandError::input("--json", "output", error.to_string()))?;
+        print_line!("{text}");
+    } else {
+        for card in &cards {
+            for line in card.verdict() {
+                print_line!("{}", wrapped(&line));
+            }
+            print_line!("");
+        }
+        print_line!("{}", path.display());
+    }
+    Ok(out.account().verdict()?)
+}
+
+/// A scorecard as JSON.
+#[derive(Serialize)]
+struct Judged<'a> {
+    model: &'a str,
+    header: &'a compare::submission::Header,
+    faultless: bool,
+    verdict: Vec<String>,
+    trusted_down_to: Vec<Option<f64>>,
+    faults: Vec<JudgedFault>,
+    rows: Vec<JudgedRow>,
+}
+
+#[derive(Serialize)]
+struct JudgedFault {
+    kind: &'static str,
+    items: Vec<String>,
+    /// Null where a fault comes with no number.
+    number: Option<f64>,
+    worst_error: f64,
+    at_gap: f64,
+    sentence: String,
+}
+
+/// As a row of the CSV, with null for NaN.
+#[derive(Serialize)]
+struct JudgedRow {
+    measure: &'static str,
+    case: String,
+    value: Option<f64>,
+    unit: &'static str,
+}
+
+impl<'a> Judged<'a> {
+    fn of(card: &'a Scorecard) -> Self {
+        let finite = |number: f64| Some(number).filter(|number| number.is_finite());
+        Self {
+            model: &card.name,
+            header: &card.header,
+            faultless: card.is_faultless(),
+            verdict: card.verdict(),
+            trusted_down_to: compare::judge::TRUST
+                .iter()
+                .map(|&bound| card.trusted(bound))
+                .collect(),
+            faults: (card.faults.iter())
+                .map(|fault| JudgedFault {
+                    kind: fault.kind.name(),
+                    items: fault.items.iter().map(ToString::to_string).collect(),
+                    number: finite(fault.kind.number()),
+                    worst_error: fault.worst.0,
+                    at_gap: fault.worst.1,
+                    sentence: fault.sentence(),
+                })
+                .collect(),
+            rows: (card.rows().into_iter())
+                .map(|row| JudgedRow {
+                    measure: row.measure,
+                    case: row.case,
+                    value: finite(row.value),
+                    unit: row.unit,
+                })
+                .collect(),
+        }
+    }
+}
+
+/// A line broken to the width of a terminal, with what follows indented.
+fn wrapped(line: &str) -> String {
+    const WIDTH: usize = 80;
+    let mut text = String::new();
+    let mut width = 0;
+    for word in line.split(' ') {
+        let length = word.chars().count();
+        if width > 0 && width + 1 + length > WIDTH {
+            text.push_str("\n  ");
+            width = 2;
+        } else if width > 0 {
+            text.push(' ');
+            width += 1;
+        }
+        text.push_str(word);
+        width += length;
+    }
+    text
+}
+
+/// One self-contained page.
+fn page(
+    cards: &[Scorecard],
+    rows: &[JudgeRow],
+    picture: String,
+    provenance: crate::page::Provenance,
+) -> Result<String, CommandError> {
+    let mut sections = vec![Section {
+        id: "errors".to_owned(),
+        title: "Errors against the gap".to_owned(),
+        prose: vec![
+            "An error is divided by the larger of the exact number and its value of a lone sphere; that of an approach speed by the exact speed. Marks are \
+             at the model's own gaps; lines between them follow its own interpolation where it declares one."
+                .to_owned(),
+        ],
+        figures: vec![Figure {
+            svg: picture,
+            caption: "Largest error of each group of numbers.".to_owned(),
+        }],
+        ..Section::default()
+    }];
+    for (place, card) in cards.iter().enumerate() {
+        let header = &card.header;
+        let stated = [
+            ("Version", &header.version),
+            ("Citation", &header.citation),
+            ("Call", &header.call),
+            ("Machine", &header.machine),
+        ];
+        let stated = stated
+            .into_iter()
+            .filter_map(|(key, text)| Some(format!("{key}: {}.", text.as_deref()?)));
+        let time = card.seconds_per_gap.map(|seconds| {
+            format!(
+                "One gap takes {} s; exact loads take {} s here.",
+                compare::numbers::size(seconds),
+                compare::numbers::size(card.exact_seconds_per_gap)
+            )
+        });
+        let verdict = card.verdict();
+        let (finding, prose) = verdict
+            .split_first()
+            .map_or((String::new(), &[][..]), |(first, rest)| {
+                (first.clone(), rest)
+            });
+        let mine: Vec<&JudgeRow> = rows.iter().filter(|row| row.model == card.name).collect();
+        let shown: Vec<&JudgeRow> = (mine.iter().copied())
+            .filter(|row| {
+                ![
+                    "error",
+                    "relative_error",
+                    "raw_error",
+                    "raw_relative_error",
+                    "error_between",
+                    "relative_error_between",
+                ]
+                .contains(&row.measure)
+            })
+            .collect();
+        let caption = "What was measured. Errors at each gap are in judge.csv.";
+        sections.push(Section {
+            id: format!("model-{}", place + 1),
+            title: header
+                .title()
+                .map_or(card.name.clone(), |title| format!("{}: {title}", card.name)),
+            finding,
+            prose: prose.iter().cloned().chain(stated).chain(time).collect(),
+            tables: vec![
+                errors_table(card)?,
+                Table::from_rows(caption, &format!("judge-{}.csv", card.name), &shown)?,
+            ],
+            ..Section::default()
+        });
+    }
+    Ok(render(&Page {
+        title: "Models judged against exact hydrodynamics".to_owned(),
+        lead: vec![
+            "Each model answers for two equal spheres in a Stokes fluid. Its numbers are compared with those of an exact series, then its laws, then the collisions that follow from it."
+                .to_owned(),
+        ],
+        sections,
+        provenance,
+        ..Page::default()
+    }))
+}
+
+/// A line of the table of errors.
+#[derive(Serialize)]
+struct ErrorLine {
+    quantity: String,
+    from: &'static str,
+    error_percent_2: String,
+    error_percent_05: String,
+    error_percent_01: String,
+    error_percent_001: String,
+    worst_percent: String,
+}
+
+/// Errors at a few gaps, each relative to the exact number alone.
+fn errors_table(card: &Scorecard) -> Result<Table, CommandError> {
+    let mut items = Vec::new();
+    for point in &card.points {
+        if !items.contains(&point.item) {
+            items.push(point.item);
+        }
+    }
+    let lines: Vec<ErrorLine> = (items.iter())
+        .map(|item| {
+            let of_item = || card.points.iter().filter(|point| point.item == *item);
+            let at = |gap: f64| {
+                let here = of_item().find(|point| (point.gap / gap - 1.0).abs() < 1e-9);
+                here.map_or("none".to_owned(), |point| {
+                    rounded(point.relative_percent(), 4)
+                })
+            };
+            let worst = of_item()
+                .map(|point| point.error().abs())
+                .fold(0.0, f64::max);
+            ErrorLine {
+                quantity: item.to_string(),
+                from: if of_item().all(|point| point.given) {
+                    "given"
+                } else {
+                    "derived"
+                },
+                error_percent_2: at(2.0),
+                error_percent_05: at(0.5),
+                error_percent_01: at(0.1),
+                error_percent_001: at(0.01),
+                worst_percent: rounded(100.0 * worst, 4),
+            }
+        })
+        .collect();
+    let caption = "Errors in per cent of the exact number at gaps 2, 0.5, 0.1 and 0.01; in the last column the largest error at any gap, in per cent of the larger of \
+                   the exact number and its value of a lone sphere.";
+    Ok(Table::from_rows(
+        caption,
+        &format!("errors-{}.csv", card.name),
+        &lines,
+    )?)
+}

@@ -1,0 +1,89 @@
+//! The section on public codes and the models of this workspace: who is how accurate, for how long.
+
+use compare::judge::{LeaderRow, Scorecard, is_public, leader_rows, leaderboard};
+use compare::output::{OutputFolder, csv_text};
+use compare::{Model, numbers};
+
+use crate::error::CommandError;
+use crate::figures::{score_against_time, trusted_gaps};
+use crate::page::{Figure, Section, Table};
+
+pub(super) fn section(exact: &Model, out: &OutputFolder) -> Result<Section, CommandError> {
+    let cards = leaderboard(exact)?;
+    let rows = leader_rows(&cards);
+    let csv = csv_text(&rows)?;
+    out.write("leaderboard.csv", &csv)?;
+    let mut figures = Vec::new();
+    for (name, svg, caption) in [
+        (
+            "trusted-gaps.svg",
+            trusted_gaps(&rows),
+            "All that a model gives is within a bound from its mark on, to the largest of its gaps. A model without a mark breaks the bound there \
+             already. No model was asked at gaps smaller than 0.005, but for the near field.",
+        ),
+        (
+            "score-against-time.svg",
+            score_against_time(&rows),
+            "Time of one gap, as measured on one core for public codes and now for the models of this workspace.",
+        ),
+    ] {
+        let svg = svg?;
+        out.write(name, &svg)?;
+        figures.push(Figure {
+            svg,
+            caption: caption.to_owned(),
+        });
+    }
+    Ok(Section {
+        id: "leaderboard".to_owned(),
+        title: "Who is how accurate, for how long".to_owned(),
+        finding: finding(&rows),
+        prose: std::iter::once(
+            "Public codes and the models of this workspace, all judged in the same way by `squirmers judge`. The score is the largest error of the ten \
+             resistance scalars at gaps from 0.01 to 2, each divided by the larger of the exact scalar and 1."
+                .to_owned(),
+        )
+        .chain(cards.iter().filter_map(sentence))
+        .collect(),
+        figures,
+        tables: vec![Table::from_csv(
+            "Sorted by score; models without all ten scalars at all these gaps come last.",
+            "leaderboard.csv",
+            &csv,
+        )?],
+    })
+}
+
+/// The faults of a public code in a paragraph.
+fn sentence(card: &Scorecard) -> Option<String> {
+    let faults: Vec<String> = card
+        .faults
+        .iter()
+        .take(3)
+        .map(|fault| fault.sentence())
+        .collect();
+    let laws = card.matrix_laws.iter().filter(|law| law.is_broken());
+    let laws = laws.map(|law| {
+        format!(
+            "its matrix breaks the law of {} by {}",
+            law.name,
+            numbers::rounded(law.value, 4)
+        )
+    });
+    let all: Vec<String> = laws.chain(faults).collect();
+    (is_public(&card.name) && !all.is_empty())
+        .then(|| format!("{}: {}.", card.name, all.join("; ")))
+}
+
+fn finding(rows: &[LeaderRow]) -> String {
+    let public = || {
+        rows.iter()
+            .filter(|row| is_public(&row.model) && row.score.is_finite())
+    };
+    let within = public().filter(|row| row.score <= 0.01).count();
+    let beyond = public().filter(|row| row.score > 0.2).count();
+    let count = public().count();
+    format!(
+        "Of {count} sets of resistance scalars by public codes and published formulas, {within} are within 1 % at gaps from 0.01 to 2, and {beyond} are off by more than 20 %."
+    )
+}
