@@ -194,6 +194,12 @@ pub fn written(value: f64) -> String {
     }
 }
 
+/// A number with at most six digits, as a person reads it: of a gap that is no round number.
+#[must_use]
+pub fn few_digits(value: f64) -> String {
+    written(format!("{value:.5e}").parse().unwrap_or(value))
+}
+
 /// A number with `digits` digits after the point, and with an exponent where it would otherwise be a row of zeros.
 #[must_use]
 pub fn rounded(value: f64, digits: usize) -> String {

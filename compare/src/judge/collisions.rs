@@ -5,7 +5,7 @@ use scene::{Outcome, RunOptions};
 
 use crate::no_run::RunNumbers;
 use crate::study::maps::{
-    BoundRow, Grid, Pair, ScatterRow, TrustShares, bound_rows, scatter_row, trust_rows,
+    BoundRow, Grid, Pair, ScatterRow, TrustRow, TrustShares, bound_rows, scatter_row, trust_rows,
     trust_shares,
 };
 use crate::watch::{Pieces, Progress};
@@ -81,8 +81,8 @@ pub struct Collisions {
     pub partings: Vec<Parting>,
     /// Bound states by the submission and by exact hydrodynamics.
     pub bound: [Vec<BoundRow>; 2],
-    /// Points a side of the grid of incoming angles.
-    pub grid: usize,
+    /// Both outcomes at each point of the grid of incoming angles, map by map.
+    pub maps: Vec<TrustRow>,
 }
 
 /// The collisions of two models.
@@ -140,7 +140,7 @@ pub(super) fn collisions(
             bound_rows(&[theirs], &BETAS)?,
             bound_rows(&[exact], &BETAS)?,
         ],
-        grid: grid.points(),
+        maps: Vec::new(),
     };
     let values = grid.values();
     for beta in BETAS {
@@ -189,8 +189,9 @@ impl Collisions {
             let shares = [share(theirs), share(exact)];
             self.outcomes.push((pair.beta, kind, shares));
         }
-        self.trust
-            .extend(trust_shares(&trust_rows(theirs, exact, pair)));
+        let map = trust_rows(theirs, exact, pair);
+        self.trust.extend(trust_shares(&map));
+        self.maps.extend(map);
         let mut partings: Vec<Parting> = Vec::new();
         for (theirs, exact) in theirs.iter().zip(exact) {
             if theirs.outcome == exact.outcome {

@@ -12,8 +12,8 @@ const LARGEST: f64 = 0.11;
 const FEWEST: usize = 4;
 const SPREAD: f64 = 4.0;
 
-/// Share of the true singular term below which it is said to be missing.
-const MISSING: f64 = 0.25;
+/// Share of the true singular term below which it is said to be missing or far too weak.
+const MISSING: f64 = 0.5;
 
 /// The strongest singular term of a load near contact.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::contact::Contact;
 use super::points::{Item, Point};
-use crate::numbers::{rounded, written};
+use crate::numbers::{few_digits, rounded};
 use crate::submission::Quantity;
 
 /// Error from which on something is wrong, relative to the larger of the truth and its value of a lone sphere.
@@ -10,6 +10,9 @@ pub const FAULT: f64 = 1e-4;
 
 /// Spread of ratios up to which they are one factor.
 const ONE_FACTOR: f64 = 5e-3;
+
+/// Deviation of a factor from 1 that is told as one.
+const LEAST_FACTOR: f64 = 2e-3;
 
 /// What is far, how far a ratio may be off there, how much of that may change from one gap to the next, and the size of noise.
 const FAR: f64 = 8.0;
@@ -45,8 +48,8 @@ pub enum Kind {
     NoLubrication,
     /// A singular term near contact has this factor instead of the second number.
     Coefficient(f64, f64),
-    /// The singular terms are right, and the constant next to them is off by this much.
-    Constant(f64),
+    /// The singular terms are right, and the constant next to them is wrong.
+    Constant,
     /// It has the wrong sign at some gaps, of which these are the smallest and the largest.
     SignAt(f64, f64),
     /// Far away it is this many times what it should be.
@@ -82,7 +85,7 @@ impl Kind {
             Self::OneValue(_) => "one wrong value",
             Self::NoLubrication => "missing lubrication",
             Self::Coefficient(..) => "wrong coefficient of lubrication",
-            Self::Constant(_) => "wrong constant next to lubrication",
+            Self::Constant => "wrong constant next to lubrication",
             Self::SignAt(..) => "wrong sign at some gaps",
             Self::Far(_) => "wrong far field",
             Self::Error => "inaccurate",
@@ -99,12 +102,13 @@ impl Kind {
             | Self::Cut(number)
             | Self::OneValue(number)
             | Self::Coefficient(number, _)
-            | Self::Constant(number)
             | Self::SignAt(number, _)
             | Self::Far(number) => number,
             Self::StraightLines(number) => number as f64,
             Self::Sign => -1.0,
-            Self::Alone | Self::Between | Self::NoLubrication | Self::Error => f64::NAN,
+            Self::Alone | Self::Between | Self::NoLubrication | Self::Constant | Self::Error => {
+                f64::NAN
+            }
         }
     }
 
@@ -123,7 +127,7 @@ impl Kind {
             }
             (Self::StraightLines(a), Self::StraightLines(b)) => a == b,
             (Self::Far(a), Self::Far(b)) => close(a, b),
-            (Self::Constant(_) | Self::SignAt(..), _) => false,
+            (Self::SignAt(..), _) => false,
             _ => std::mem::discriminant(&self) == std::mem::discriminant(&other),
         }
     }
@@ -145,7 +149,7 @@ impl Fault {
         let names = listed(&self.items);
         let (worst, at) = self.worst();
         let percent = size_percent(worst);
-        let at = written(at);
+        let at = few_digits(at);
         let (is, fits) = if self.items.len() == 1 {
             ("is", "would fit")
         } else {
@@ -165,12 +169,12 @@ impl Fault {
             Kind::FactorBelow(factor, below) => format!(
                 "{names} {is} {} times too large at gaps up to {} and right beyond: {fits} if divided by {} there",
                 number(factor),
-                written(below),
+                few_digits(below),
                 number(factor)
             ),
             Kind::Cut(cut) => format!(
                 "from gap {} on the spheres no longer feel each other ({names}): a cut, off by {percent} at gap {at}",
-                written(cut)
+                few_digits(cut)
             ),
             Kind::Alone => format!(
                 "{names} {is} that of a lone sphere at every gap, off by up to {percent} (gap {at})"
@@ -183,10 +187,12 @@ impl Fault {
             ),
             Kind::OneValue(gap) => format!(
                 "{names} {is} off by {percent} at gap {} and right next to it",
-                written(gap)
+                few_digits(gap)
             ),
             Kind::NoLubrication => {
-                format!("lubrication is missing in {names}: off by {percent} at gap {at}")
+                format!(
+                    "lubrication is missing or far too weak in {names}: off by {percent} at gap {at}"
+                )
             }
             Kind::Coefficient(value, truth) => format!(
                 "near contact {names} {} {} where {} belongs, in front of the singular term",
@@ -194,17 +200,16 @@ impl Fault {
                 number(value.abs()),
                 number(truth.abs())
             ),
-            Kind::Constant(constant) => format!(
-                "near contact {names} {} the right singular term, and a constant next to it that is off by {}",
-                if self.items.len() == 1 { "has" } else { "have" },
-                number(constant)
+            Kind::Constant => format!(
+                "near contact {names} {} the right singular terms and wrong constants next to them: off by up to {percent} (gap {at})",
+                if self.items.len() == 1 { "has" } else { "have" }
             ),
             Kind::SignAt(from, to) if from < to => format!(
                 "{names} has the wrong sign at gaps from {} to {}",
-                written(from),
-                written(to)
+                few_digits(from),
+                few_digits(to)
             ),
-            Kind::SignAt(at, _) => format!("{names} has the wrong sign at gap {}", written(at)),
+            Kind::SignAt(at, _) => format!("{names} has the wrong sign at gap {}", few_digits(at)),
             Kind::Far(factor) => format!(
                 "far away {names} {is} {} times what the far field is",
                 number(factor)
@@ -222,7 +227,11 @@ impl Fault {
         all.sort_by(|a, b| b.1.0.total_cmp(&a.1.0));
         let each: Vec<String> = (all.iter().take(MOST))
             .map(|(item, (error, gap))| {
-                format!("{item} by {} (gap {})", size_percent(*error), written(*gap))
+                format!(
+                    "{item} by {} (gap {})",
+                    size_percent(*error),
+                    few_digits(*gap)
+                )
             })
             .collect();
         let more = match all.get(MOST..).unwrap_or_default() {
@@ -320,6 +329,12 @@ pub(super) fn of_quantity(
     let whole = whole(quantity, points, tolerance);
     if let Some(kind) = whole {
         faults.push(fault(kind, points));
+        if let Kind::Cut(cut) = kind {
+            // What is wrong within.
+            let within = points.iter().filter(|point| point.gap < cut);
+            let within: Vec<Point> = within.copied().collect();
+            faults.extend(of_quantity((quantity, &within), &[], contact, tolerance));
+        }
     } else if worst(points).0 > tolerance {
         let near = contact.and_then(|contact| near_contact(contact, points, tolerance));
         faults.push(fault(near.unwrap_or(Kind::Error), points));
@@ -355,7 +370,8 @@ fn whole(quantity: Quantity, points: &[Point], tolerance: f64) -> Option<Kind> {
         let is_one = ratios.iter().all(|ratio| {
             (ratio / mean - 1.0).abs() <= ONE_FACTOR * (1.0 - 1.0 / mean).abs().clamp(0.02, 1.0)
         });
-        (is_one && mean.is_finite() && (mean - 1.0).abs() > tolerance).then_some(mean)
+        (is_one && mean.is_finite() && (mean - 1.0).abs() > LEAST_FACTOR.max(tolerance))
+            .then_some(mean)
     };
     if felt.len() >= 3
         && let Some(factor) = one_factor(&felt)
@@ -419,23 +435,40 @@ fn alone(quantity: Quantity, points: &[Point], tolerance: f64) -> Option<Kind> {
     }
 }
 
-/// Whether most points lie on straight lines between their neighbours, in the gap or in its logarithm, where the truth does not.
+/// Whether points lie on straight lines between their neighbours, in the gap or in its logarithm, where the truth does not. Not all of
+/// them: that is a formula.
 fn straight(points: &[Point]) -> Option<Kind> {
-    let lies = |coordinate: &dyn Fn(f64) -> f64| {
-        let on_line = points.windows(3).filter(|three| {
-            let x = [0, 1, 2].map(|k| coordinate(three[k].gap));
-            let share = (x[1] - x[0]) / (x[2] - x[0]);
-            let off = |of: &dyn Fn(&Point) -> f64| {
-                let chord = of(&three[0]) * (1.0 - share) + of(&three[2]) * share;
-                (of(&three[1]) - chord).abs() / of(&three[1]).abs().max(1.0)
-            };
-            off(&|point| point.value) < 1e-9 && off(&|point| point.truth) > 1e-5
-        });
-        on_line.count()
+    let best = |tolerance: f64, bent: f64| {
+        let in_gap = on_lines(points, |gap| gap, tolerance, bent);
+        in_gap.max(on_lines(points, f64::ln, tolerance, bent))
     };
-    // One may be chance.
-    let count = lies(&|gap| gap).max(lies(&f64::ln));
-    (count >= 2).then(|| Kind::StraightLines(points.len() - count))
+    let (told, all) = best(1e-9, 1e-5);
+    // One may be chance, unless it is one to rounding.
+    let is_table = told >= 2 || best(1e-14, 1e-3).0 >= 1;
+    (is_table && all + 2 < points.len()).then(|| Kind::StraightLines(points.len() - all.max(1)))
+}
+
+/// How many points lie on the line between their neighbours, within `tolerance`: those of which the truth is off by more than `bent`, and all.
+fn on_lines(
+    points: &[Point],
+    coordinate: fn(f64) -> f64,
+    tolerance: f64,
+    bent: f64,
+) -> (usize, usize) {
+    let (mut told, mut all) = (0, 0);
+    for three in points.windows(3) {
+        let x = [0, 1, 2].map(|k| coordinate(three[k].gap));
+        let share = (x[1] - x[0]) / (x[2] - x[0]);
+        let off = |of: &dyn Fn(&Point) -> f64| {
+            let chord = of(&three[0]) * (1.0 - share) + of(&three[2]) * share;
+            (of(&three[1]) - chord).abs() / of(&three[1]).abs().max(1.0)
+        };
+        if off(&|point| point.value) < tolerance {
+            all += 1;
+            told += usize::from(off(&|point| point.truth) > bent);
+        }
+    }
+    (told, all)
 }
 
 /// Deviation of a singular term that is told, and the largest share of the error that it may leave unexplained.
@@ -453,7 +486,7 @@ fn near_contact(contact: &Contact, points: &[Point], tolerance: f64) -> Option<K
     if (contact.ratio() - 1.0).abs() > COEFFICIENT_OFF {
         return Some(Kind::Coefficient(contact.value, contact.truth));
     }
-    (contact.constant.abs() > 10.0 * tolerance).then_some(Kind::Constant(contact.constant))
+    (contact.constant.abs() > 10.0 * tolerance).then_some(Kind::Constant)
 }
 
 /// Whether it is a constant factor off where the spheres are far from each other: where that is more than noise, which has another factor at

@@ -95,21 +95,25 @@ impl LeaderRow {
             }
         };
         let at = |gap: f64| largest(&rigid, 10, (gap, gap));
-        let reaches = |score: f64, gap: f64| if gap.is_nan() { f64::NAN } else { score };
+        // Of a model that does not reach both ends there is no score.
+        let over = |is_meant: &dyn Fn(Item) -> bool, count: usize| {
+            let ends = [SCORED.0, SCORED.1].map(|gap| largest(is_meant, count, (gap, gap)));
+            if ends.iter().any(|error| error.is_nan()) {
+                f64::NAN
+            } else {
+                largest(is_meant, count, SCORED)
+            }
+        };
         let trusted = |bound: f64| card.trusted(bound).unwrap_or(f64::NAN);
         Self {
             model: card.name.clone(),
             title: card.header.title().unwrap_or_else(|| card.name.clone()),
-            // Of a model that does not reach the smallest gap there is no score.
-            score: reaches(largest(&rigid, 10, SCORED), at(SCORED.0)),
+            score: over(&rigid, 10),
             error_2: at(2.0),
             error_05: at(0.5),
             error_01: at(0.1),
             error_001: at(0.01),
-            slip_score: reaches(
-                largest(&by_slip, 12, SCORED),
-                largest(&by_slip, 12, (SCORED.0, SCORED.0)),
-            ),
+            slip_score: over(&by_slip, 12),
             trusted_1: trusted(0.01),
             trusted_5: trusted(0.05),
             trusted_20: trusted(0.2),
@@ -173,7 +177,7 @@ fn own_models() -> Result<Vec<Own>, CompareError> {
     let mut own: Vec<Own> = vec![
         (
             "exact".to_owned(),
-            "exact series, this workspace".to_owned(),
+            "exact series, the referee itself".to_owned(),
             Arc::new(Exact::new()),
         ),
         (

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::points::{Item, Point, TRUST, by_item, trusted_down_to};
 use super::{Scorecard, faults};
 use crate::columns::columns;
-use crate::numbers::{size, written};
+use crate::numbers::{few_digits, size, written};
 
 columns! {
     /// A row for each number that a judgement consists of. `docs/JUDGE.md` says what each measure is.
@@ -54,7 +54,7 @@ impl Table<'_> {
 
     fn errors(&mut self, points: &[Point], [error, percent, worst]: [&'static str; 3]) {
         for point in points {
-            let case = format!("{} at gap {}", point.item, written(point.gap));
+            let case = format!("{} at gap {}", point.item, few_digits(point.gap));
             self.add(error, case.clone(), point.error(), "-");
             self.add(percent, case, point.relative_percent(), "%");
         }
@@ -124,7 +124,7 @@ impl Scorecard {
                 format!(
                     "{} of the matrix, worst at gap {}{entries}",
                     law.name,
-                    written(law.gap)
+                    few_digits(law.gap)
                 ),
                 law.value,
                 "-",
@@ -135,7 +135,7 @@ impl Scorecard {
                 "law",
                 format!(
                     "smallest eigenvalue of the mobility at gap {}",
-                    written(*gap)
+                    few_digits(*gap)
                 ),
                 *eigenvalue,
                 "-",

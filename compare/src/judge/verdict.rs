@@ -3,7 +3,7 @@
 use super::faults::{listed, size_percent};
 use super::points::{Item, TRUST};
 use super::{FAR_GAP, Scorecard};
-use crate::numbers::{rounded, written};
+use crate::numbers::{few_digits, rounded, written};
 use crate::submission::Interpolation;
 
 /// Most sentences on faults.
@@ -34,7 +34,7 @@ impl Scorecard {
                     " (largest error {} of {} at gap {})",
                     size_percent(point.error()),
                     point.item,
-                    written(point.gap)
+                    few_digits(point.gap)
                 )
             });
             lines.push(format!("No fault found in what it gives{worst}."));
@@ -58,33 +58,35 @@ impl Scorecard {
     }
 
     fn trust_sentence(&self) -> String {
-        let parts: Vec<String> = TRUST
-            .iter()
-            .map(|&bound| {
-                let percent = format!("{} %", written(100.0 * bound));
-                match (self.trusted(bound), self.spoiled_by(bound)) {
-                    (Some(gap), None) => format!(
-                        "within {percent} at all its gaps, down to {}",
-                        written(rounded_gap(gap))
-                    ),
-                    (Some(gap), Some((item, ..))) => {
-                        format!(
-                            "within {percent} down to a gap of {} ({item} is first to fail)",
-                            written(rounded_gap(gap))
-                        )
-                    }
-                    (None, Some((item, ..))) => format!("nowhere within {percent} ({item})"),
-                    (None, None) => format!("without numbers that {percent} could be said of"),
+        let mut parts = Vec::new();
+        for bound in TRUST {
+            let percent = format!("{} %", written(100.0 * bound));
+            parts.push(match (self.trusted(bound), self.spoiled_by(bound)) {
+                (Some(gap), None) => format!(
+                    "within {percent} at all its gaps, down to {}",
+                    few_digits(gap)
+                ),
+                (Some(gap), Some((item, ..))) => {
+                    format!(
+                        "within {percent} down to a gap of {} ({item} is first to fail)",
+                        few_digits(gap)
+                    )
                 }
-            })
-            .collect();
+                (None, Some((item, ..))) => format!("nowhere within {percent} ({item})"),
+                (None, None) => "without a number that is scored".to_owned(),
+            });
+            // Then it is within all larger bounds.
+            if self.spoiled_by(bound).is_none() {
+                break;
+            }
+        }
         format!("{} is {}.", self.name, parts.join("; "))
     }
 
     fn law_sentences(&self) -> Vec<String> {
         let mut lines = Vec::new();
         for law in self.matrix_laws.iter().filter(|law| law.is_broken()) {
-            let at = written(law.gap);
+            let at = few_digits(law.gap);
             lines.push(match law.name {
                 "reciprocity" => format!(
                     "Law broken (reciprocity): the matrix is not symmetric: entries {} differ by {} at gap {at} (a lone sphere has 1).",
@@ -108,8 +110,8 @@ impl Scorecard {
         if let (Some(first), Some(last)) = (negative.first(), negative.last()) {
             lines.push(format!(
                 "Law broken (positive definite): the mobility is not positive definite at gaps from {} to {}.",
-                written(*first),
-                written(*last)
+                few_digits(*first),
+                few_digits(*last)
             ));
         }
         let unbalanced: Vec<&str> = (self.third_law.iter())
@@ -155,7 +157,7 @@ impl Scorecard {
         if farthest < FAR_GAP * (1.0 - 1e-9) {
             lines.push(format!(
                 "Units and signs of the far field could not be checked: its largest gap is {}, and {} is needed.",
-                written(farthest),
+                few_digits(farthest),
                 written(FAR_GAP)
             ));
         }
@@ -307,9 +309,4 @@ impl Scorecard {
         }
         lines
     }
-}
-
-/// A gap with at most six digits: those of points between gaps are no round numbers.
-fn rounded_gap(gap: f64) -> f64 {
-    format!("{gap:.5e}").parse().unwrap_or(gap)
 }

@@ -13,6 +13,7 @@ use serde::Serialize;
 use crate::arguments::GeneralArguments;
 use crate::error::CommandError;
 use crate::page::{Figure, Page, Section, Table, render};
+use crate::pictures::{self, Picture};
 use crate::streams::print_line;
 use crate::{figures, provenance};
 
@@ -84,10 +85,22 @@ pub(super) fn run(
     let errors: Vec<_> = cards.iter().flat_map(Scorecard::curves).collect();
     let picture = figures::judged_errors(&errors)?;
     out.write("judge.svg", &picture)?;
+    let mut maps = Vec::new();
+    for card in &cards {
+        let rows = card
+            .collisions
+            .as_ref()
+            .map_or(&[][..], |collisions| &collisions.maps);
+        let pictures = pictures::of_trust(rows)?;
+        for picture in &pictures {
+            out.write(&picture.file_name, &picture.svg)?;
+        }
+        maps.push(pictures);
+    }
     let page = page(
         &cards,
         &rows,
-        picture,
+        (picture, maps),
         provenance::of(typed, started.elapsed().as_secs_f64()),
     )?;
     let path = out.write("judge.html", &page)?;
@@ -157,8 +170,8 @@ impl<'a> Judged<'a> {
                     kind: fault.kind.name(),
                     items: fault.items.iter().map(ToString::to_string).collect(),
                     number: finite(fault.kind.number()),
-                    worst_error: fault.worst.0,
-                    at_gap: fault.worst.1,
+                    worst_error: fault.worst().0,
+                    at_gap: fault.worst().1,
                     sentence: fault.sentence(),
                 })
                 .collect(),
@@ -198,7 +211,7 @@ fn wrapped(line: &str) -> String {
 fn page(
     cards: &[Scorecard],
     rows: &[JudgeRow],
-    picture: String,
+    (picture, maps): (String, Vec<Vec<Picture>>),
     provenance: crate::page::Provenance,
 ) -> Result<String, CommandError> {
     let mut sections = vec![Section {
@@ -215,7 +228,7 @@ fn page(
         }],
         ..Section::default()
     }];
-    for (place, card) in cards.iter().enumerate() {
+    for ((place, card), maps) in cards.iter().enumerate().zip(maps) {
         let header = &card.header;
         let stated = [
             ("Version", &header.version),
@@ -261,6 +274,13 @@ fn page(
                 .map_or(card.name.clone(), |title| format!("{}: {title}", card.name)),
             finding,
             prose: prose.iter().cloned().chain(stated).chain(time).collect(),
+            figures: (maps.into_iter())
+                .map(|picture| Figure {
+                    svg: picture.svg,
+                    caption: "Where the model's outcomes and deflections differ from exact ones, over the incoming angles."
+                        .to_owned(),
+                })
+                .collect(),
             tables: vec![
                 errors_table(card)?,
                 Table::from_rows(caption, &format!("judge-{}.csv", card.name), &shown)?,

@@ -153,20 +153,14 @@ pub fn trusted_gaps(rows: &[LeaderRow]) -> Result<String, FigureError> {
     Ok(canvas.finish())
 }
 
-/// Draws the score of each model against the time that it takes for one gap.
+/// Draws the score of each model against the time that it takes for one gap. Those that are exact have no place on an axis of powers.
 ///
 /// # Errors
 /// [`FigureError::Empty`] if no model has both.
 pub fn score_against_time(rows: &[LeaderRow]) -> Result<String, FigureError> {
     let drawn: Vec<(f64, f64, &str)> = (rows.iter())
-        .filter(|row| row.seconds.is_finite() && row.score.is_finite())
-        .map(|row| {
-            (
-                row.seconds.log10(),
-                row.score.max(1e-12).log10(),
-                row.model.as_str(),
-            )
-        })
+        .filter(|row| row.seconds.is_finite() && row.score > 0.0)
+        .map(|row| (row.seconds.log10(), row.score.log10(), row.model.as_str()))
         .collect();
     if drawn.is_empty() {
         return Err(FigureError::Empty { what: "no times" });
