@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use super::{Column, Columns, UNITS};
 use crate::cost::{CostRow, Finding, Recommendation};
 use crate::hard_cases::HardCaseRow;
+use crate::judge::{JudgeRow, LeaderRow};
 use crate::scene_run::SampleRow;
 use crate::study::cargo::CargoRow;
 use crate::study::maps::{BoundExample, BoundRow, FateRow, ScatterRow, TrustRow, TrustShares};
@@ -44,7 +45,7 @@ const fn file<R: Columns>(
 }
 
 /// Every CSV file. Files with the same kind of row stand together.
-pub const FILES: [CsvFile; 27] = [
+pub const FILES: [CsvFile; 29] = [
     file::<LoadRow>("loads.csv", &["loads"], "Loads at given gaps."),
     file::<EncounterRow>(
         "head-on.csv",
@@ -75,6 +76,16 @@ pub const FILES: [CsvFile; 27] = [
         "gravity-fates.csv",
         &["report"],
         "Share of each outcome under gravity (Fig. 8g).",
+    ),
+    file::<JudgeRow>(
+        "judge.csv",
+        &["judge"],
+        "Anybody's models against exact hydrodynamics.",
+    ),
+    file::<LeaderRow>(
+        "leaderboard.csv",
+        &["report"],
+        "Public codes and the models of this workspace.",
     ),
     file::<BoundRow>("bound-states.csv", &["trust", "report"], "Bound states."),
     file::<TrustRow>(

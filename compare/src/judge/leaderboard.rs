@@ -171,9 +171,9 @@ pub fn leaderboard(referee: &Model) -> Result<Vec<Scorecard>, CompareError> {
 }
 
 /// Name, title and model.
-type Own = (String, String, Arc<dyn Hydrodynamics>);
+pub(super) type Own = (String, String, Arc<dyn Hydrodynamics>);
 
-fn own_models() -> Result<Vec<Own>, CompareError> {
+pub(super) fn own_models() -> Result<Vec<Own>, CompareError> {
     let mut own: Vec<Own> = vec![
         (
             "exact".to_owned(),

@@ -5,6 +5,7 @@ mod collisions;
 mod contact;
 mod curves;
 mod faults;
+mod history;
 mod leaderboard;
 mod points;
 mod rows;
@@ -26,6 +27,7 @@ pub use collisions::{ANGLES_AT, BETAS, BoundComparison, CaseScore, Collisions, P
 pub use contact::Contact;
 pub use curves::{ErrorAt, Group};
 pub use faults::{FAULT, Fault, Kind};
+pub use history::{HistoryRow, history_rows};
 pub use leaderboard::{LeaderRow, is_public, leader_rows, leaderboard, submission_of};
 pub use points::{Item, Point, TRUST, Truth, trusted_down_to};
 pub use rows::JudgeRow;

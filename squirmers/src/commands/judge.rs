@@ -18,7 +18,7 @@ use crate::streams::print_line;
 use crate::{figures, provenance};
 
 /// Points a side of the grid of incoming angles.
-const GRID: usize = 12;
+const GRID: usize = 20;
 
 #[derive(Debug, Args)]
 pub(crate) struct JudgeArguments {

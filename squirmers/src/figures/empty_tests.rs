@@ -362,3 +362,54 @@ fn displacements_of_no_one_or_a_thousand_cargoes_are_drawn() {
         .collect();
     has_no_stray_number(&cargo(&many).unwrap());
 }
+
+#[test]
+fn judged_models_are_drawn_whatever_they_lack() {
+    use compare::judge::{ErrorAt, Group, LeaderRow};
+
+    assert!(matches!(judged_errors(&[]), Err(FigureError::Empty { .. })));
+    let at = |model: usize, gap: f64, error: f64| ErrorAt {
+        model: format!("model-{model}"),
+        group: Group::Slip,
+        gap,
+        error,
+        between: false,
+    };
+    // One point; no error at all; a thousand models.
+    has_no_stray_number(&judged_errors(&[at(0, 0.1, 0.01)]).unwrap());
+    has_no_stray_number(&judged_errors(&[at(0, 0.1, 0.0), at(0, 1.0, 1e9)]).unwrap());
+    let many: Vec<_> = (0..1000)
+        .flat_map(|model| [at(model, 0.01, 0.1), at(model, 1.0, 1e-3)])
+        .collect();
+    let svg = judged_errors(&many).unwrap();
+    has_no_stray_number(&svg);
+    assert!(svg.contains(">model-0<") && svg.len() < 2_000_000);
+    let row = |model: &str| LeaderRow {
+        model: model.to_owned(),
+        title: String::new(),
+        score: f64::NAN,
+        error_2: f64::NAN,
+        error_05: f64::NAN,
+        error_01: f64::NAN,
+        error_001: f64::NAN,
+        slip_score: f64::NAN,
+        trusted_1: f64::NAN,
+        trusted_5: f64::NAN,
+        trusted_20: f64::NAN,
+        faults: 0,
+        seconds: f64::NAN,
+    };
+    let svg = trusted_gaps(&[row("none")]).unwrap();
+    has_no_stray_number(&svg);
+    assert!(svg.contains(">none<"));
+    assert!(matches!(
+        score_against_time(&[row("none")]),
+        Err(FigureError::Empty { .. })
+    ));
+    let timed = LeaderRow {
+        score: 0.1,
+        seconds: 1e-3,
+        ..row("timed")
+    };
+    has_no_stray_number(&score_against_time(&[timed]).unwrap());
+}

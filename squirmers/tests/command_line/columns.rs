@@ -36,6 +36,7 @@ pub fn described(out: &Path) -> Vec<String> {
 fn every_csv_file_of_a_command_is_listed_with_its_columns() {
     let fixtures = concat!(env!("CARGO_MANIFEST_DIR"), "/../fixtures");
     let scene = format!("{fixtures}/scenes/fig6-head-on-dx1.toml");
+    let peer = format!("a={fixtures}/peers/pystokes.csv");
     for arguments in [
         "loads --gap 1 --method lt",
         "head-on --dx 1 --method lt",
@@ -48,10 +49,15 @@ fn every_csv_file_of_a_command_is_listed_with_its_columns() {
         "run SCENE",
         "sweep opposed --vary dx=1 --method lt",
         "hard-cases --only no-repulsion",
+        "judge a=PEER --grid 0",
     ] {
         let folder = tempfile::tempdir().unwrap();
         let arguments: Vec<_> = (arguments.split(' '))
-            .map(|word| if word == "SCENE" { &*scene } else { word })
+            .map(|word| match word {
+                "SCENE" => &*scene,
+                "a=PEER" => &*peer,
+                word => word,
+            })
             .collect();
         let output = squirmers(folder.path(), &arguments);
         assert!(output.status.success(), "{output:?}");
