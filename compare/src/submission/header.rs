@@ -169,8 +169,10 @@ impl Header {
         ] {
             let allowed = |factor: &f64| factor.is_finite() && factor.abs() > 0.0;
             if factors.len() > MAX_MODES || !factors.iter().all(allowed) {
+                let first = &factors[..factors.len().min(MAX_MODES)];
                 return refuse(format!(
-                    "{key} {factors:?} is not allowed: give at most {MAX_MODES} finite numbers other than 0"
+                    "{key} {} is not allowed: give at most {MAX_MODES} finite numbers other than 0",
+                    shown(&format!("{first:?}"), 60)
                 ));
             }
         }
