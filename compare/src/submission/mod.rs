@@ -11,6 +11,7 @@ mod model;
 mod process;
 mod quantity;
 mod rows;
+mod schema;
 
 use std::fs::File;
 use std::io::Read;
@@ -27,8 +28,9 @@ pub use error::SubmissionError;
 pub use header::{Header, Interpolation, MatrixKind};
 pub use matrix::MatrixLaws;
 pub use model::SubmittedModel;
-pub use process::{Process, end_processes};
+pub use process::{HeaderAnswer, PairAnswer, Process, Question, end_processes};
 pub use quantity::{KINDS, Quantity, Values};
+pub use schema::schema;
 
 use matrix::{Column, Matrix, Place, SIZE};
 use rows::{Row, Rows};
@@ -418,5 +420,7 @@ impl Matrix {
     }
 }
 
+#[cfg(test)]
+mod page_tests;
 #[cfg(test)]
 mod tests;
