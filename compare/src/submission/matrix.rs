@@ -251,7 +251,7 @@ impl Matrix {
                 put(&name, value);
             }
         }
-        Ok((values, laws(&scalars)))
+        Ok((values, laws(&scalars, kind)))
     }
 }
 
@@ -300,7 +300,7 @@ impl Slip {
     }
 }
 
-fn laws(scalars: &SMatrix<f64, SIZE, SIZE>) -> MatrixLaws {
+fn laws(scalars: &SMatrix<f64, SIZE, SIZE>, kind: MatrixKind) -> MatrixLaws {
     let mut asymmetry = (0.0, String::new());
     let mut images = (0.0, String::new());
     let note = |worst: &mut (f64, String), [one, other]: [(usize, usize); 2], sign: f64| {
@@ -323,9 +323,14 @@ fn laws(scalars: &SMatrix<f64, SIZE, SIZE>) -> MatrixLaws {
         }
     }
     // Velocities and spins, forces and torques each in one unit: only so do signs of eigenvalues mean what they should.
+    // The geometric mean of 6 pi and 8 pi over the 4 pi of mixed entries.
+    let unit = match kind {
+        MatrixKind::Mobility => 48.0_f64.sqrt() / 4.0,
+        MatrixKind::Resistance => 4.0 / 48.0_f64.sqrt(),
+    };
     let congruent = SMatrix::<f64, SIZE, SIZE>::from_fn(|i, j| {
-        let mixed = is_force(i) != is_force(j);
-        scalars[(i, j)] * if mixed { 48.0_f64.sqrt() / 4.0 } else { 1.0 }
+        let is_mixed = is_force(i) != is_force(j);
+        scalars[(i, j)] * if is_mixed { unit } else { 1.0 }
     });
     let symmetric = (congruent + congruent.transpose()) * 0.5;
     MatrixLaws {

@@ -31,20 +31,23 @@ pub fn schema() -> Value {
         "anyOf": lines,
         "$defs": generator.take_definitions(true),
     });
+    // Examples in Rust are for readers of the code.
+    let all = schema["$defs"].as_object_mut();
+    for of_type in all.into_iter().flat_map(|all| all.values_mut()) {
+        if let Some(text) = of_type["description"].as_str()
+            && let Some((text, _)) = text.split_once("\n\n```")
+        {
+            of_type["description"] = json!(text);
+        }
+    }
     let names: Vec<_> = Quantity::all().map(Quantity::name).collect();
     let answer = &mut schema["$defs"]["PairAnswer"]["properties"];
     answer["values"]["propertyNames"] = json!({ "enum": names });
     answer["slip"]["propertyNames"] = json!({ "pattern": "^B[1-8]_[12](x|z|xz)$" });
-    for of_twelve in ["matrix", "slip"] {
-        let key = if of_twelve == "matrix" {
-            "items"
-        } else {
-            "additionalProperties"
-        };
-        for bound in ["minItems", "maxItems"] {
-            answer[of_twelve][key][bound] = json!(12);
-        }
+    for bound in ["minItems", "maxItems"] {
+        answer["matrix"][bound] = json!(12);
+        answer["matrix"]["items"][bound] = json!(12);
+        answer["slip"]["additionalProperties"][bound] = json!(12);
     }
-    answer["matrix"]["maxItems"] = json!(12);
     schema
 }
