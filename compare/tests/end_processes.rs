@@ -18,7 +18,7 @@ fn runs(id: &str) -> bool {
 #[test]
 fn no_process_outlives_the_end_of_all() {
     let folder = tempfile::tempdir().unwrap();
-    let script = "echo $$ > \"$1\"; echo '{\"header\":{\"range\":[0.1,10]}}'; trap '' TERM INT HUP; \
+    let script = "echo $$ > \"$1\"; read -r line; echo '{\"header\":{\"range\":[0.1,10]}}'; trap '' TERM INT HUP; \
                   while true; do sleep 0.01; done";
     let files = ["first", "second"].map(|name| folder.path().join(name));
     let processes = files.each_ref().map(|file| {

@@ -492,7 +492,15 @@ impl Talk {
         }
         match self.lines.try_recv() {
             Err(TryRecvError::Empty) => {}
-            Ok(_) => return Err("it says more than one line for a question".to_owned()),
+            Ok(Heard::Line(line)) => {
+                return Err(format!(
+                    "it says '{}' without being asked",
+                    beginning(&line)
+                ));
+            }
+            Ok(Heard::TooLong | Heard::Torn) => {
+                return Err("it says part of a line without being asked".to_owned());
+            }
             Err(TryRecvError::Disconnected) => {
                 return Err(self.ended("it ended before it was asked"));
             }
@@ -542,13 +550,18 @@ impl Talk {
 /// A line as JSON.
 fn parsed<A: for<'de> Deserialize<'de>>(line: &[u8]) -> Result<A, Trouble> {
     serde_json::from_slice(line).map_err(|error| {
-        let text = String::from_utf8_lossy(&line[..line.len().min(2 * SHOWN)]);
         Over(format!(
             "its answer '{}' is not as it should be: {}",
-            shown(text.trim_end(), SHOWN),
+            beginning(line),
             shown(&error.to_string(), 120)
         ))
     })
+}
+
+/// The beginning of a line, to be shown.
+fn beginning(line: &[u8]) -> String {
+    let text = String::from_utf8_lossy(&line[..line.len().min(2 * SHOWN)]);
+    shown(text.trim_end(), SHOWN)
 }
 
 impl Drop for Talk {
