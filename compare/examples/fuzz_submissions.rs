@@ -117,7 +117,7 @@ fn mutate(text: &str, others: &[String], random: &mut Random) -> String {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
     for _ in 0..=random.below(4) {
         let at = random.below(lines.len());
-        let mut place = |random: &mut Random| random.below(lines.len());
+        let place = |random: &mut Random| random.below(lines.len());
         let (one, other) = (place(random), place(random));
         match random.below(8) {
             0 if lines.len() > 1 => drop(lines.remove(at)),
