@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use clap::error::ErrorKind;
 
+use compare::submission::end_processes;
 use compare::{CompareError, watch};
 
 use crate::arguments::GeneralArguments;
@@ -41,18 +42,26 @@ pub(crate) struct Arguments {
 /// Runs the command line `arguments` (the program's name first).
 ///
 /// Exit status 0 on success, 1 if a run failed or a bound is broken, 2 for bad input or a bad output place, 75 if
-/// the time limit stopped the command, 130 if it was interrupted. Every failure prints one line on standard error.
+/// the time limit stopped the command, 130 if it was interrupted. Every failure prints one line on standard error. No process that answers as a
+/// model outlives it.
 pub fn run<I, T>(arguments: I) -> ExitCode
 where
     I: IntoIterator<Item = T>,
     T: Into<OsString> + Clone,
 {
     let arguments = without_help_on_help(arguments.into_iter().map(Into::into).collect());
-    let parsed = match Arguments::try_parse_from(&arguments) {
+    // Reading the arguments starts processes already.
+    interrupt::listen();
+    let status = run_command(&arguments);
+    end_processes();
+    status
+}
+
+fn run_command(arguments: &[OsString]) -> ExitCode {
+    let parsed = match Arguments::try_parse_from(arguments) {
         Ok(parsed) => parsed,
         Err(error) => return refuse(&error),
     };
-    interrupt::listen();
     watch::install(Box::new(OnStandardError));
     let typed: Vec<_> = (arguments.iter().skip(1))
         .map(|argument| argument.to_string_lossy().into_owned())

@@ -1,6 +1,7 @@
 //! Interrupts from the keyboard (`Ctrl-C`, SIGINT). If a sweep keeps its pieces, the first interrupt lets it finish its
 //! current pieces and begin no others. Any other interrupt ends the command at once.
 
+use compare::submission::end_processes;
 use compare::watch;
 
 use crate::error::INTERRUPTED;
@@ -13,7 +14,7 @@ pub(crate) fn listen() {
     // that is sent to such a command is intended. If the system refuses the handler, an interrupt ends the command.
     let _ = ctrlc::set_handler(|| {
         if watch::request_stop() {
-            std::process::exit(INTERRUPTED.into());
+            exit();
         }
         progress::aside(|| {
             if watch::keeps_pieces() {
@@ -23,8 +24,14 @@ pub(crate) fn listen() {
             } else {
                 let left = watch::left().map_or(String::new(), |left| format!(": {left}"));
                 print_error!("interrupted{left}");
-                std::process::exit(INTERRUPTED.into());
+                exit();
             }
         });
     });
+}
+
+/// Ends the command, and the processes that answer as models first.
+fn exit() -> ! {
+    end_processes();
+    std::process::exit(INTERRUPTED.into())
 }

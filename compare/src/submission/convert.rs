@@ -89,7 +89,9 @@ fn pair_of(of: impl Fn(Parity) -> Option<f64>) -> Option<SelfOther> {
         sum: of(Sum)?,
         difference: of(Difference)?,
     };
-    (pair.sum.is_finite() && pair.difference.is_finite()).then_some(pair)
+    (pair.sum.abs() + pair.difference.abs())
+        .is_finite()
+        .then_some(pair)
 }
 
 /// Mode and kind (axial, transverse, turning) of a quantity by slip.

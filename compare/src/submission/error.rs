@@ -147,6 +147,31 @@ pub enum SubmissionError {
         /// The gap, in radii.
         gap: f64,
     },
+    /// A matrix that is not one of spheres of the header's radius in a fluid of its viscosity.
+    #[error(
+        "the matrix at the gap {gap:?} is not one of spheres with the radius and the viscosity of the header: entry ({row}, {column}) is \
+         {times:?} times that of a lone sphere"
+    )]
+    Units {
+        /// The gap, in radii.
+        gap: f64,
+        /// Row from 1 to 12.
+        row: usize,
+        /// Column from 1 to 12.
+        column: usize,
+        /// Its size, in the unit that makes the diagonal of a lone sphere 1.
+        times: f64,
+    },
+    /// A value that is no finite number once the units or the calibration of its mode are applied.
+    #[error(
+        "{name} at the gap {gap:?} is no finite number with the units and the calibration of the header"
+    )]
+    Overflow {
+        /// The quantity.
+        name: &'static str,
+        /// The gap, in radii.
+        gap: f64,
+    },
     /// Fewer gaps than the interpolation needs.
     #[error("{gaps} different gaps are too few: at least {needed} are needed to move a pair")]
     FewGaps {
@@ -199,15 +224,20 @@ fn place(line: u64) -> String {
     }
 }
 
-/// What stands in a file, short enough for a line.
+/// What stands in a file, in printable letters and short enough for a line: at most `most` bytes, and three dots for the rest.
 pub(super) fn shown(text: &str, most: usize) -> String {
-    let mut short: String = text
-        .chars()
-        .take(most)
-        .flat_map(char::escape_debug)
-        .collect();
-    if text.chars().nth(most).is_some() {
-        short.push_str("...");
+    let mut short = String::new();
+    for letter in text.chars() {
+        let before = short.len();
+        match letter {
+            '\'' | '"' => short.push(letter),
+            _ => short.extend(letter.escape_debug()),
+        }
+        if short.len() > most {
+            short.truncate(before);
+            short.push_str("...");
+            break;
+        }
     }
     short
 }

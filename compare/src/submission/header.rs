@@ -23,34 +23,44 @@ const LONGEST_TEXT: usize = 500;
 pub struct Header {
     /// Name of the model or the code.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(length(max = 500))]
     pub model: Option<String>,
     /// Version of the code.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(length(max = 500))]
     pub version: Option<String>,
     /// Where it is published.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(length(max = 500))]
     pub citation: Option<String>,
     /// How the numbers were made: function, settings, command.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(length(max = 500))]
     pub call: Option<String>,
     /// The machine that `seconds_per_gap` was measured on.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(length(max = 500))]
     pub machine: Option<String>,
     /// Radius of the spheres. Gaps and matrices are in the units of radius and viscosity; named values are pure numbers.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
     /// Viscosity of the fluid.
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub viscosity: f64,
     /// For each slip mode, how many `B_n` a unit of it is. 1 if left out.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(length(max = 8))]
     pub mode_units: Vec<f64>,
     /// For each slip mode, the factor by which what it causes is to be multiplied. The model is scored without and with it, and moves with it.
     #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[schemars(length(max = 8))]
     pub slip_calibration: Vec<f64>,
     /// How the authors' code reads values between the gaps of the file. If left out, nothing is scored between them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub interpolation: Option<Interpolation>,
     /// Wall-clock time of one gap, in seconds.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub seconds_per_gap: Option<f64>,
     /// What matrices are. Needed in a file of matrices, and of a process that answers with matrices.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -60,6 +70,7 @@ pub struct Header {
     pub range: Option<[f64; 2]>,
     /// Of a process: size of its noise, relative to the larger of a value and 1. Its table is built to this.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0))]
     pub noise: Option<f64>,
 }
 
@@ -169,8 +180,10 @@ impl Header {
         ] {
             let allowed = |factor: &f64| factor.is_finite() && factor.abs() > 0.0;
             if factors.len() > MAX_MODES || !factors.iter().all(allowed) {
+                let first = &factors[..factors.len().min(MAX_MODES)];
                 return refuse(format!(
-                    "{key} {factors:?} is not allowed: give at most {MAX_MODES} finite numbers other than 0"
+                    "{key} {} is not allowed: give at most {MAX_MODES} finite numbers other than 0",
+                    shown(&format!("{first:?}"), 60)
                 ));
             }
         }

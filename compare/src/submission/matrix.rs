@@ -4,13 +4,17 @@ use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use nalgebra::SMatrix;
-use scene::{MAX_MODES, legendre};
+use scene::{Gap, MAX_MODES, legendre};
 
+use super::error::SubmissionError;
 use super::header::{Header, MatrixKind};
 use super::quantity::{Quantity, Values};
 
 /// Rows, and columns that are not by slip.
 pub(super) const SIZE: usize = 12;
+
+/// Largest entry, in the unit that makes the diagonal of a lone sphere 1: its square is a number.
+const LARGEST: f64 = 1e100;
 
 /// A column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -184,8 +188,29 @@ impl Matrix {
     }
 
     /// Its quantities, and the laws that it breaks.
-    pub fn read(&self, header: &Header, kind: MatrixKind) -> (Values, MatrixLaws) {
+    ///
+    /// # Errors
+    /// [`SubmissionError::Units`] if it is so large in the units of the header that they cannot be right.
+    pub fn read(
+        &self,
+        gap: Gap,
+        header: &Header,
+        kind: MatrixKind,
+    ) -> Result<(Values, MatrixLaws), SubmissionError> {
         let scalars = self.dimensionless(header, kind);
+        for row in 0..SIZE {
+            for column in 0..SIZE {
+                let times = scalars[(row, column)].abs();
+                if times.is_nan() || times > LARGEST {
+                    return Err(SubmissionError::Units {
+                        gap: gap.eps(),
+                        row: row + 1,
+                        column: column + 1,
+                        times,
+                    });
+                }
+            }
+        }
         let mut values = Values::default();
         let mut put = |name: &str, value: f64| {
             if let Some(quantity) = Quantity::named(name) {
@@ -226,7 +251,7 @@ impl Matrix {
                 put(&name, value);
             }
         }
-        (values, laws(&scalars))
+        Ok((values, laws(&scalars, kind)))
     }
 }
 
@@ -275,7 +300,7 @@ impl Slip {
     }
 }
 
-fn laws(scalars: &SMatrix<f64, SIZE, SIZE>) -> MatrixLaws {
+fn laws(scalars: &SMatrix<f64, SIZE, SIZE>, kind: MatrixKind) -> MatrixLaws {
     let mut asymmetry = (0.0, String::new());
     let mut images = (0.0, String::new());
     let note = |worst: &mut (f64, String), [one, other]: [(usize, usize); 2], sign: f64| {
@@ -285,22 +310,27 @@ fn laws(scalars: &SMatrix<f64, SIZE, SIZE>) -> MatrixLaws {
             *worst = (difference, format!("{} and {}", entry(one), entry(other)));
         }
     };
-    for i in 0..SIZE {
-        for j in 0..SIZE {
+    for (i, turned_i) in TURNED.into_iter().enumerate() {
+        for (j, turned_j) in TURNED.into_iter().enumerate() {
             note(&mut asymmetry, [(i, j), (j, i)], 1.0);
             note(
                 &mut images,
                 [(i, j), (exchanged(i), exchanged(j))],
-                TURNED[i] * TURNED[j],
+                turned_i * turned_j,
             );
             let ((turned_i, sign_i), (turned_j, sign_j)) = (quarter(i), quarter(j));
             note(&mut images, [(i, j), (turned_i, turned_j)], sign_i * sign_j);
         }
     }
     // Velocities and spins, forces and torques each in one unit: only so do signs of eigenvalues mean what they should.
+    // The geometric mean of 6 pi and 8 pi over the 4 pi of mixed entries.
+    let unit = match kind {
+        MatrixKind::Mobility => 48.0_f64.sqrt() / 4.0,
+        MatrixKind::Resistance => 4.0 / 48.0_f64.sqrt(),
+    };
     let congruent = SMatrix::<f64, SIZE, SIZE>::from_fn(|i, j| {
-        let mixed = is_force(i) != is_force(j);
-        scalars[(i, j)] * if mixed { 48.0_f64.sqrt() / 4.0 } else { 1.0 }
+        let is_mixed = is_force(i) != is_force(j);
+        scalars[(i, j)] * if is_mixed { unit } else { 1.0 }
     });
     let symmetric = (congruent + congruent.transpose()) * 0.5;
     MatrixLaws {

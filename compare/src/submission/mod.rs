@@ -11,6 +11,7 @@ mod model;
 mod process;
 mod quantity;
 mod rows;
+mod schema;
 
 use std::fs::File;
 use std::io::Read;
@@ -27,8 +28,9 @@ pub use error::SubmissionError;
 pub use header::{Header, Interpolation, MatrixKind};
 pub use matrix::MatrixLaws;
 pub use model::SubmittedModel;
-pub use process::{Process, end_processes};
+pub use process::{HeaderAnswer, PairAnswer, Process, Question, end_processes};
 pub use quantity::{KINDS, Quantity, Values};
+pub use schema::schema;
 
 use matrix::{Column, Matrix, Place, SIZE};
 use rows::{Row, Rows};
@@ -178,6 +180,7 @@ impl Submission {
 
 /// Where answers come from.
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "there are a handful of them")]
 pub enum Submitted {
     /// A file.
     File(Submission),
@@ -246,23 +249,38 @@ impl Values {
     }
 
     /// Per `B_n`.
-    fn per_mode(mut self, header: &Header) -> Self {
+    ///
+    /// # Errors
+    /// [`SubmissionError::Overflow`] if a value is no finite number then, or calibrated.
+    fn per_mode(mut self, gap: Gap, header: &Header) -> Result<Self, SubmissionError> {
         let all: Vec<_> = self.iter().collect();
         for (quantity, value) in all {
             if let Some(mode) = quantity.mode() {
                 self.set(quantity, value / header.mode_unit(mode));
             }
         }
-        self
+        match self
+            .overflow()
+            .or_else(|| self.calibrated(header).overflow())
+        {
+            Some(quantity) => Err(SubmissionError::Overflow {
+                name: quantity.name(),
+                gap: gap.eps(),
+            }),
+            None => Ok(self),
+        }
     }
 }
+
+/// The rows at one gap.
+type Group<T> = (Gap, Vec<Row<T>>);
 
 /// The groups of rows at one gap, by rising gap, each sorted by what its rows are. Refuses two rows for one number.
 fn by_gap<T: Ord + Copy>(
     mut rows: Vec<Row<T>>,
     header: &Header,
     name: impl Fn(T) -> String,
-) -> Result<Vec<(Gap, Vec<Row<T>>)>, SubmissionError> {
+) -> Result<Vec<Group<T>>, SubmissionError> {
     rows.sort_by(|a, b| {
         let gaps = a.gap.total_cmp(&b.gap);
         gaps.then(a.what.cmp(&b.what)).then(a.line.cmp(&b.line))
@@ -286,7 +304,7 @@ fn by_gap<T: Ord + Copy>(
             allowed: MOST_GAPS,
         });
     }
-    let mut groups: Vec<(Gap, Vec<Row<T>>)> = Vec::with_capacity(gaps);
+    let mut groups: Vec<Group<T>> = Vec::with_capacity(gaps);
     let mut last = f64::NAN;
     for row in rows {
         if row.gap.total_cmp(&last).is_ne() {
@@ -317,14 +335,14 @@ fn of_named(rows: Vec<Row<Quantity>>, header: &Header) -> Result<Vec<Answer>, Su
                 errors.set(row.what, error);
             }
         }
-        Answer {
+        Ok(Answer {
             gap,
-            values: values.per_mode(header),
+            values: values.per_mode(gap, header)?,
             errors,
             laws: None,
-        }
+        })
     };
-    Ok(groups.into_iter().map(answer).collect())
+    groups.into_iter().map(answer).collect()
 }
 
 fn of_matrices(rows: Vec<Row<Place>>, header: &Header) -> Result<Vec<Answer>, SubmissionError> {
@@ -336,10 +354,8 @@ fn of_matrices(rows: Vec<Row<Place>>, header: &Header) -> Result<Vec<Answer>, Su
     };
     let name = |place: Place| format!("row {} of column {}", place.row + 1, place.column);
     let groups = by_gap(rows, header, name)?;
-    let answer = |(gap, rows): (Gap, Vec<Row<Place>>)| {
-        let matrix = assembled(gap, &rows)?;
-        Ok(matrix.answer(gap, header, kind))
-    };
+    let answer =
+        |(gap, rows): (Gap, Vec<Row<Place>>)| assembled(gap, &rows)?.answer(gap, header, kind);
     groups.into_iter().map(answer).collect()
 }
 
@@ -388,16 +404,23 @@ fn assembled(gap: Gap, rows: &[Row<Place>]) -> Result<Matrix, SubmissionError> {
 }
 
 impl Matrix {
-    fn answer(&self, gap: Gap, header: &Header, kind: MatrixKind) -> Answer {
-        let (values, laws) = self.read(header, kind);
-        Answer {
+    fn answer(
+        &self,
+        gap: Gap,
+        header: &Header,
+        kind: MatrixKind,
+    ) -> Result<Answer, SubmissionError> {
+        let (values, laws) = self.read(gap, header, kind)?;
+        Ok(Answer {
             gap,
-            values: values.per_mode(header),
+            values: values.per_mode(gap, header)?,
             errors: Values::default(),
             laws: Some(laws),
-        }
+        })
     }
 }
 
+#[cfg(test)]
+mod page_tests;
 #[cfg(test)]
 mod tests;

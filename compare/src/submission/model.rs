@@ -168,6 +168,7 @@ impl SubmittedModel {
             let may_subtract = header.interpolation.is_none();
             self.curved(pair, may_subtract, answers, [&own, &other])
         };
+        let functions = functions.filter(|both| self.are_numbers(both));
         let [sum, difference] = functions.ok_or_else(|| SubmissionError::NotInterpolated {
             name: Quantity(2 * pair).name().to_owned(),
         })?;
@@ -184,6 +185,18 @@ impl SubmittedModel {
             self.errors[at] = of(&own).max(of(&other));
         }
         Ok(())
+    }
+
+    /// Whether sum and difference are finite numbers everywhere between the nodes, and so are their own sum and difference.
+    fn are_numbers(&self, [sums, differences]: &[Vec<(Cubic, f64)>; 2]) -> bool {
+        let spans = self.nodes.windows(2).map(|ends| ends[1] - ends[0]);
+        let largest = |c: &Cubic, span: f64| {
+            c[0].abs() + span * (c[1].abs() + span * (c[2].abs() + span * c[3].abs()))
+        };
+        let mut intervals = spans.zip(sums.iter().zip(differences));
+        intervals.all(|(span, (sum, difference))| {
+            (largest(&sum.0, span) + largest(&difference.0, span)).is_finite()
+        })
     }
 
     /// Straight lines of sum and difference, whose error nobody states.

@@ -2,13 +2,18 @@
 //!
 //! Nothing but the command that the user names is run, without a shell. Whatever the process does, an answer or one clear error comes
 //! back in bounded time and memory: lines have a longest length, answers a time limit, and output that nobody asked for waits in the pipe.
+//! The process has a group of its own (on Unix): an interrupt from the keyboard does not end it before the work that needs it, and whatever it
+//! has started ends with it.
 
 use std::collections::{BTreeMap, HashMap};
 use std::io::{BufRead, BufReader, Read, Write};
-use std::process::{Child, ChildStdin, Command, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError, sync_channel};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
+use std::sync::mpsc::{
+    Receiver, RecvTimeoutError, SyncSender, TryRecvError, TrySendError, channel, sync_channel,
+};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use scene::{
     Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError, SwirlLoads,
@@ -29,8 +34,20 @@ const LONGEST_LINE: u64 = 1 << 20;
 /// What is kept of what a process says on its standard error, in bytes.
 const KEPT: usize = 300;
 
+/// Bytes of an answer that an error shows.
+const SHOWN: usize = 60;
+
 /// Time in which a process has to end once its input is closed.
 const PATIENCE: Duration = Duration::from_millis(300);
+
+/// Most answers that are kept; then they are asked for again.
+const MOST_KEPT: usize = 10_000;
+
+/// Relative difference of the gap in an answer to the gap of the question: enough for numbers of ten digits.
+const SAME_GAP: f64 = 1e-9;
+
+/// Time that a failed question takes while the program ends: nobody is to take that for a failure of the model.
+const ENDING: Duration = Duration::from_secs(5);
 
 /// A question, one line of JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -84,13 +101,23 @@ pub struct Process {
     answers: Mutex<HashMap<u64, Arc<Answer>>>,
 }
 
-/// The two ends of a conversation.
+/// A conversation. Its process ends when this is dropped.
 struct Talk {
-    child: Arc<Mutex<Child>>,
-    /// None once the conversation has failed, with the reason.
-    open: Result<ChildStdin, String>,
+    running: Arc<Mutex<Running>>,
+    /// Why the conversation is over, if it is.
+    over: Option<String>,
     lines: Receiver<Heard>,
     said: Arc<Mutex<Vec<u8>>>,
+    /// Disconnected once nothing more is said on standard error.
+    hushed: Receiver<()>,
+}
+
+/// A process, for whoever ends it.
+struct Running {
+    child: Child,
+    /// On their way to its standard input, which is closed when this is dropped.
+    questions: Option<SyncSender<Vec<u8>>>,
+    is_ended: bool,
 }
 
 /// What came on standard output.
@@ -101,24 +128,73 @@ enum Heard {
     Torn,
 }
 
+/// Why there is no answer.
+enum Trouble {
+    /// To this question alone.
+    Here(String),
+    /// And there will be none: what comes next cannot be trusted.
+    Over(String),
+}
+
+use Trouble::{Here, Over};
+
+fn over<T>(what: impl Into<String>) -> Result<T, Trouble> {
+    Err(Over(what.into()))
+}
+
 /// All processes that run.
-static RUNNING: Mutex<Vec<Arc<Mutex<Child>>>> = Mutex::new(Vec::new());
+static RUNNING: Mutex<Vec<Arc<Mutex<Running>>>> = Mutex::new(Vec::new());
+
+/// Whether the program is about to end.
+static IS_ENDING: AtomicBool = AtomicBool::new(false);
 
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-fn end(child: &Mutex<Child>) {
-    let mut child = locked(child);
-    // It may have ended by itself.
-    let _ = child.kill();
-    let _ = child.wait();
+impl Running {
+    /// How it ended, if it does so in this time.
+    fn status_within(&mut self, time: Duration) -> Option<ExitStatus> {
+        let until = Instant::now() + time;
+        loop {
+            if let Ok(Some(status)) = self.child.try_wait() {
+                return Some(status);
+            }
+            if Instant::now() >= until {
+                return None;
+            }
+            std::thread::sleep(Duration::from_millis(2));
+        }
+    }
+
+    /// Closes its input, lets it end by itself in this time, and ends what still runs of it.
+    fn end(&mut self, patience: Duration) {
+        self.questions = None;
+        if std::mem::replace(&mut self.is_ended, true) {
+            return;
+        }
+        self.status_within(patience);
+        // Those that it started are in its group. There may be none left.
+        #[cfg(unix)]
+        let _ = rustix::process::kill_process_group(
+            rustix::process::Pid::from_child(&self.child),
+            rustix::process::Signal::KILL,
+        );
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
 }
 
-/// Ends all processes that answer: for a program that is about to end.
+/// Ends all processes that answer: for a program that is about to end. Whoever still waits for an answer waits on, so that this end is not taken for a
+/// failure of the model.
 pub fn end_processes() {
-    for child in std::mem::take(&mut *locked(&RUNNING)) {
-        end(&child);
+    IS_ENDING.store(true, SeqCst);
+    let all = std::mem::take(&mut *locked(&RUNNING));
+    for running in &all {
+        locked(running).questions = None;
+    }
+    for running in &all {
+        locked(running).end(PATIENCE);
     }
 }
 
@@ -129,40 +205,37 @@ impl Process {
     /// # Errors
     /// [`SubmissionError::Process`] if it cannot be started or does not answer as it should.
     pub fn start(command: &str, limit: Duration) -> Result<Self, SubmissionError> {
-        let failed = |what: String| SubmissionError::Process {
-            command: shown(command, 60),
-            what,
-        };
+        let failed = |what: String| failure(command, what);
         let words = shlex::split(command).filter(|words| !words.is_empty());
         let words = words.ok_or_else(|| {
             failed("give a program and its arguments, with closed quotes".to_owned())
         })?;
-        let talk = Talk::begin(&words)
+        let mut talk = Talk::begin(&words)
             .map_err(|error| failed(format!("it cannot be started: {error}")))?;
-        let mut process = Self {
+        let understood = |HeaderAnswer { header }| {
+            let header = header.check().map_err(|error| Over(error.to_string()))?;
+            let [smallest, largest] = match header.range {
+                Some(range) => range.map(|gap| gap / header.radius),
+                None => {
+                    return over("its header has no range: the smallest and the largest gap");
+                }
+            };
+            if !(smallest > 0.0 && largest > smallest && largest.is_finite()) {
+                return over("its range in radii is not of two different finite gaps");
+            }
+            Ok((header, GapRange { smallest, largest }))
+        };
+        let (header, range) = talk
+            .ask(Question::Header, limit, understood)
+            .map_err(failed)?;
+        Ok(Self {
             command: command.to_owned(),
-            header: Header::default(),
-            range: GapRange {
-                smallest: 1.0,
-                largest: 1.0,
-            },
+            header,
+            range,
             limit,
             talk: Mutex::new(talk),
             answers: Mutex::default(),
-        };
-        let HeaderAnswer { header } = process.ask(Question::Header)?;
-        process.header = header
-            .check()
-            .map_err(|error| process.fail(error.to_string()))?;
-        let [smallest, largest] = (process.header.range).ok_or_else(|| {
-            process.fail("its header has no range: the smallest and the largest gap".to_owned())
-        })?;
-        let radius = process.header.radius;
-        process.range = GapRange {
-            smallest: smallest / radius,
-            largest: largest / radius,
-        };
-        Ok(process)
+        })
     }
 
     /// What it says of itself.
@@ -171,124 +244,41 @@ impl Process {
         &self.header
     }
 
-    /// Ends the conversation: whatever is asked next fails with the same reason.
-    fn fail(&self, what: String) -> SubmissionError {
-        let mut talk = locked(&self.talk);
-        end(&talk.child);
-        if talk.open.is_ok() {
-            talk.open = Err(what.clone());
-        }
-        self.failure(what)
-    }
-
-    fn failure(&self, what: String) -> SubmissionError {
-        SubmissionError::Process {
-            command: shown(&self.command, 60),
-            what,
-        }
-    }
-
-    /// One question and its answer.
-    fn ask<A: for<'de> Deserialize<'de>>(&self, question: Question) -> Result<A, SubmissionError> {
-        let heard = {
-            let mut talk = locked(&self.talk);
-            let heard = talk.exchange(question, self.limit);
-            if let Err(what) = &heard {
-                end(&talk.child);
-                talk.open = Err(what.clone());
-            }
-            heard
-        };
-        let line = heard.map_err(|what| self.failure(what))?;
-        serde_json::from_slice(&line).map_err(|error| {
-            let line = shown(&String::from_utf8_lossy(&line), 60);
-            self.fail(format!(
-                "its answer '{line}' is not as it should be: {error}"
-            ))
-        })
-    }
-
     /// The answer at `gap`, asked for once.
     ///
     /// # Errors
-    /// [`SubmissionError::Process`].
+    /// [`SubmissionError::Process`], also for a gap outside its range, for which it is not asked.
     pub fn answer(&self, gap: Gap) -> Result<Arc<Answer>, SubmissionError> {
+        if let Err(outside) = self.range.check(gap) {
+            return Err(failure(&self.command, outside.to_string()));
+        }
         let key = gap.eps().to_bits();
-        if let Some(answer) = locked(&self.answers).get(&key) {
-            return Ok(Arc::clone(answer));
+        let kept = || locked(&self.answers).get(&key).map(Arc::clone);
+        if let Some(answer) = kept() {
+            return Ok(answer);
         }
-        let asked = gap.eps() * self.header.radius;
-        let said: PairAnswer = self.ask(Question::Pair { gap: asked })?;
-        let answer = Arc::new(self.understood(gap, asked, said)?);
-        locked(&self.answers).insert(key, Arc::clone(&answer));
+        let mut talk = locked(&self.talk);
+        // Somebody else may have asked meanwhile.
+        if let Some(answer) = kept() {
+            return Ok(answer);
+        }
+        let mut asked = gap.eps() * self.header.radius;
+        if let Some([smallest, largest]) = self.header.range {
+            // The units may take it out by rounding.
+            asked = asked.clamp(smallest, largest);
+        }
+        let answer = talk
+            .ask(Question::Pair { gap: asked }, self.limit, |said| {
+                understood(&self.header, gap, asked, said)
+            })
+            .map_err(|what| failure(&self.command, what))?;
+        let answer = Arc::new(answer);
+        let mut answers = locked(&self.answers);
+        if answers.len() >= MOST_KEPT {
+            answers.clear();
+        }
+        answers.insert(key, Arc::clone(&answer));
         Ok(answer)
-    }
-
-    fn understood(
-        &self,
-        gap: Gap,
-        asked: f64,
-        said: PairAnswer,
-    ) -> Result<Answer, SubmissionError> {
-        if said.gap.to_bits() != asked.to_bits() {
-            return Err(self.fail(format!(
-                "it answers for the gap {:?}, and was asked for {asked:?}",
-                said.gap
-            )));
-        }
-        if let Some(error) = said.error {
-            return Err(self.failure(format!(
-                "it has no answer at the gap {asked:?}: {}",
-                shown(&error, 120)
-            )));
-        }
-        if said.matrix.is_empty() {
-            if !said.slip.is_empty() || self.header.matrix.is_some() {
-                return Err(self.fail(
-                    "an answer has slip columns or a header has 'matrix', and there is no matrix"
-                        .to_owned(),
-                ));
-            }
-            let mut values = Values::default();
-            for (name, value) in said.values {
-                let quantity = Quantity::named(&name);
-                let quantity =
-                    quantity.ok_or_else(|| self.fail(rows::no_quantity(0, &name).to_string()))?;
-                values.set(quantity, value);
-            }
-            return Ok(Answer {
-                gap,
-                values: values.per_mode(&self.header),
-                errors: Values::default(),
-                laws: None,
-            });
-        }
-        let Some(kind) = self.header.matrix else {
-            return Err(self.fail("it answers with a matrix, and its header does not say what 'matrix' is: mobility or resistance".to_owned()));
-        };
-        if !said.values.is_empty() {
-            return Err(
-                self.fail("an answer has named values and a matrix: give one of them".to_owned())
-            );
-        }
-        let is_row = |row: &Vec<f64>| row.len() == SIZE;
-        if said.matrix.len() != SIZE || !said.matrix.iter().all(is_row) {
-            return Err(self.fail(format!(
-                "a matrix has {SIZE} rows of {SIZE} numbers, and this one has not"
-            )));
-        }
-        let mut matrix = Matrix {
-            rigid: nalgebra::SMatrix::from_fn(|row, column| said.matrix[row][column]),
-            slip: BTreeMap::new(),
-        };
-        for (name, column) in said.slip {
-            let slip = Slip::parse(&name).zip(column.try_into().ok());
-            let (slip, column) = slip.ok_or_else(|| {
-                self.fail(format!("slip column '{}' is not allowed: give {SIZE} numbers for a column such as B1_1z", shown(&name, 40)))
-            })?;
-            matrix.slip.insert(slip, column);
-        }
-        Ok(matrix.answer(gap, &self.header, kind))
     }
 
     fn loads_at(
@@ -318,25 +308,116 @@ impl Process {
                 .find(|&pair| given(pair).is_none())
                 .unwrap_or(load);
             let name = Quantity(2 * lacking).name();
-            failed(self.failure(format!("its answer has no {name}, which the motion needs")))
+            let what = format!("its answer has no {name}, which the motion needs");
+            failed(failure(&self.command, what))
         })
     }
 }
 
+fn failure(command: &str, what: String) -> SubmissionError {
+    SubmissionError::Process {
+        command: shown(command, 60),
+        what,
+    }
+}
+
+/// What a process said, if it is an answer.
+fn understood(header: &Header, gap: Gap, asked: f64, said: PairAnswer) -> Result<Answer, Trouble> {
+    let is_same = (said.gap - asked).abs() <= SAME_GAP * asked;
+    if !is_same {
+        return over(format!(
+            "it answers for the gap {:?}, and was asked for {asked:?}",
+            said.gap
+        ));
+    }
+    if let Some(error) = said.error {
+        return Err(Here(format!(
+            "it has no answer at the gap {asked:?}: {}",
+            shown(&error, 120)
+        )));
+    }
+    let too_large = |error: SubmissionError| Over(error.to_string());
+    if said.matrix.is_empty() {
+        if !said.slip.is_empty() || header.matrix.is_some() {
+            return over(
+                "an answer has slip columns or a header has 'matrix', and there is no matrix",
+            );
+        }
+        let mut values = Values::default();
+        for (name, value) in said.values {
+            match Quantity::named(&name) {
+                Some(quantity) => values.set(quantity, value),
+                None => return over(rows::no_quantity(0, &name).to_string()),
+            }
+        }
+        return Ok(Answer {
+            gap,
+            values: values.per_mode(gap, header).map_err(too_large)?,
+            errors: Values::default(),
+            laws: None,
+        });
+    }
+    let Some(kind) = header.matrix else {
+        return over(
+            "it answers with a matrix, and its header does not say what 'matrix' is: mobility or resistance",
+        );
+    };
+    if !said.values.is_empty() {
+        return over("an answer has named values and a matrix: give one of them");
+    }
+    let is_row = |row: &Vec<f64>| row.len() == SIZE;
+    if said.matrix.len() != SIZE || !said.matrix.iter().all(is_row) {
+        return over(format!(
+            "a matrix has {SIZE} rows of {SIZE} numbers, and this one has not"
+        ));
+    }
+    let mut matrix = Matrix {
+        rigid: nalgebra::SMatrix::from_fn(|row, column| said.matrix[row][column]),
+        slip: BTreeMap::new(),
+    };
+    for (name, column) in said.slip {
+        let slip = Slip::parse(&name).zip(column.try_into().ok());
+        let Some((slip, column)) = slip else {
+            return over(format!(
+                "slip column '{}' is not allowed: give {SIZE} numbers for a column such as B1_1z",
+                shown(&name, 40)
+            ));
+        };
+        matrix.slip.insert(slip, column);
+    }
+    matrix.answer(gap, header, kind).map_err(too_large)
+}
+
 impl Talk {
     fn begin(words: &[String]) -> std::io::Result<Self> {
-        let mut child = Command::new(&words[0])
+        let mut command = Command::new(&words[0]);
+        command
             .args(&words[1..])
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()?;
+            .stderr(Stdio::piped());
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        let mut child = command.spawn()?;
         let missing = || std::io::Error::other("it has no standard streams");
-        let input = child.stdin.take().ok_or_else(missing)?;
+        let mut input = child.stdin.take().ok_or_else(missing)?;
         let output = child.stdout.take().ok_or_else(missing)?;
         let mut errors = child.stderr.take().ok_or_else(missing)?;
-        let child = Arc::new(Mutex::new(child));
-        locked(&RUNNING).push(Arc::clone(&child));
+        // Not by whoever asks: a process that does not read would stop him.
+        let (questions, asked) = sync_channel::<Vec<u8>>(1);
+        std::thread::spawn(move || {
+            for line in asked {
+                if input.write_all(&line).and_then(|()| input.flush()).is_err() {
+                    break;
+                }
+            }
+        });
+        let running = Arc::new(Mutex::new(Running {
+            child,
+            questions: Some(questions),
+            is_ended: false,
+        }));
+        locked(&RUNNING).push(Arc::clone(&running));
         // One line at a time: a flood waits in the pipe.
         let (heard, lines) = sync_channel(1);
         std::thread::spawn(move || {
@@ -361,7 +442,9 @@ impl Talk {
         });
         let said = Arc::new(Mutex::new(Vec::new()));
         let keep = Arc::clone(&said);
+        let (speaks, hushed) = channel();
         std::thread::spawn(move || {
+            let _speaks: std::sync::mpsc::Sender<()> = speaks;
             let mut some = [0; 4096];
             while let Ok(length @ 1..) = errors.read(&mut some) {
                 let mut kept = locked(&keep);
@@ -371,30 +454,69 @@ impl Talk {
             }
         });
         Ok(Self {
-            child,
-            open: Ok(input),
+            running,
+            over: None,
             lines,
             said,
+            hushed,
+        })
+    }
+
+    /// One question and what is made of its answer. After a trouble that does not concern this question alone, whatever is asked next fails with the
+    /// same reason.
+    fn ask<A: for<'de> Deserialize<'de>, T>(
+        &mut self,
+        question: Question,
+        limit: Duration,
+        understood: impl FnOnce(A) -> Result<T, Trouble>,
+    ) -> Result<T, String> {
+        let answer = self.exchange(question, limit).map_err(Over);
+        let answer = answer.and_then(|line| understood(parsed(&line)?));
+        answer.map_err(|trouble| match trouble {
+            Here(what) => what,
+            Over(what) => {
+                if IS_ENDING.load(SeqCst) {
+                    std::thread::sleep(ENDING);
+                }
+                locked(&self.running).end(Duration::ZERO);
+                self.over = Some(what.clone());
+                what
+            }
         })
     }
 
     /// The line that answers a question, or what happened instead.
     fn exchange(&mut self, question: Question, limit: Duration) -> Result<Vec<u8>, String> {
-        let input = match &mut self.open {
-            Ok(input) => input,
-            Err(what) => return Err(what.clone()),
-        };
+        if let Some(what) = &self.over {
+            return Err(what.clone());
+        }
         match self.lines.try_recv() {
             Err(TryRecvError::Empty) => {}
-            Ok(_) => return Err("it says more than one line for a question".to_owned()),
+            Ok(Heard::Line(line)) => {
+                return Err(format!(
+                    "it says '{}' without being asked",
+                    beginning(&line)
+                ));
+            }
+            Ok(Heard::TooLong | Heard::Torn) => {
+                return Err("it says part of a line without being asked".to_owned());
+            }
             Err(TryRecvError::Disconnected) => {
                 return Err(self.ended("it ended before it was asked"));
             }
         }
         let mut line = serde_json::to_vec(&question).map_err(|error| error.to_string())?;
         line.push(b'\n');
-        if input.write_all(&line).and_then(|()| input.flush()).is_err() {
-            return Err(self.ended("it no longer listens"));
+        let sent = locked(&self.running)
+            .questions
+            .as_ref()
+            .map_or(Err(TrySendError::Disconnected(Vec::new())), |questions| {
+                questions.try_send(line)
+            });
+        match sent {
+            Ok(()) => {}
+            Err(TrySendError::Full(_)) => return Err("it does not read its questions".to_owned()),
+            Err(TrySendError::Disconnected(_)) => return Err(self.ended("it no longer listens")),
         }
         match self.lines.recv_timeout(limit) {
             Ok(Heard::Line(line)) => Ok(line),
@@ -403,7 +525,7 @@ impl Talk {
             )),
             Ok(Heard::Torn) => Err(self.ended("its answer breaks off in the middle of a line")),
             Err(RecvTimeoutError::Timeout) => Err(format!(
-                "it did not answer within {} s",
+                "it did not answer within {} s with a line, ended and flushed",
                 crate::numbers::written(limit.as_secs_f64())
             )),
             Err(RecvTimeoutError::Disconnected) => Err(self.ended("it ended without an answer")),
@@ -412,16 +534,9 @@ impl Talk {
 
     /// What happened, how it ended, and the last that it said on standard error.
     fn ended(&mut self, what: &str) -> String {
-        let mut child = locked(&self.child);
-        let mut status = None;
-        for _ in 0..10 {
-            if let Ok(Some(ended)) = child.try_wait() {
-                status = Some(ended);
-                break;
-            }
-            std::thread::sleep(PATIENCE / 10);
-        }
+        let status = locked(&self.running).status_within(PATIENCE);
         let status = status.map_or(String::new(), |status| format!(" ({status})"));
+        let _ = self.hushed.recv_timeout(PATIENCE);
         let said = locked(&self.said);
         let said = String::from_utf8_lossy(&said);
         let said = said.lines().rev().find(|line| !line.trim().is_empty());
@@ -432,11 +547,27 @@ impl Talk {
     }
 }
 
-impl Drop for Process {
+/// A line as JSON.
+fn parsed<A: for<'de> Deserialize<'de>>(line: &[u8]) -> Result<A, Trouble> {
+    serde_json::from_slice(line).map_err(|error| {
+        Over(format!(
+            "its answer '{}' is not as it should be: {}",
+            beginning(line),
+            shown(&error.to_string(), 120)
+        ))
+    })
+}
+
+/// The beginning of a line, to be shown.
+fn beginning(line: &[u8]) -> String {
+    let text = String::from_utf8_lossy(&line[..line.len().min(2 * SHOWN)]);
+    shown(text.trim_end(), SHOWN)
+}
+
+impl Drop for Talk {
     fn drop(&mut self) {
-        let child = &locked(&self.talk).child;
-        end(child);
-        locked(&RUNNING).retain(|other| !Arc::ptr_eq(other, child));
+        locked(&self.running).end(PATIENCE);
+        locked(&RUNNING).retain(|other| !Arc::ptr_eq(other, &self.running));
     }
 }
 
@@ -483,3 +614,7 @@ impl Hydrodynamics for Process {
         Ok(self.header.noise)
     }
 }
+
+#[cfg(unix)]
+#[cfg(test)]
+mod tests;

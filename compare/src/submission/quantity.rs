@@ -246,6 +246,11 @@ impl Values {
         Quantity::all().filter_map(|quantity| Some((quantity, self.get(quantity)?)))
     }
 
+    /// One that units have made too large for a number, if there is any.
+    pub(super) fn overflow(&self) -> Option<Quantity> {
+        Quantity::all().find(|quantity| self.0[quantity.0].is_infinite())
+    }
+
     /// Of the sphere itself and of the other one, if both are there.
     pub(super) fn pair(&self, pair: usize) -> Option<SelfOther> {
         let own = self.get(Quantity(2 * pair))?;

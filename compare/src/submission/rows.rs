@@ -12,8 +12,11 @@ use super::quantity::Quantity;
 /// Methods that an error lists.
 const LISTED: usize = 8;
 
-/// Letters of a field that an error shows.
+/// Bytes of a field that an error shows.
 const SHOWN: usize = 40;
+
+/// The same of one of several methods.
+const SHOWN_OF_SEVERAL: usize = 20;
 
 /// A value: where it stands, its gap in the file's unit of length, and what it is.
 pub(super) struct Row<T> {
@@ -211,8 +214,8 @@ fn named(
     })?;
     if methods.len() > 1 {
         let more = methods.len() > LISTED;
-        let listed =
-            (methods.iter().take(LISTED)).map(|method| format!("'{}'", shown(method, SHOWN)));
+        let listed = (methods.iter().take(LISTED))
+            .map(|method| format!("'{}'", shown(method, SHOWN_OF_SEVERAL)));
         let listed: Vec<_> = listed.chain(more.then(|| "...".to_owned())).collect();
         return Err(SubmissionError::SeveralMethods {
             methods: listed.join(", "),

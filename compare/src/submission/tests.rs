@@ -2,6 +2,8 @@ use approx::assert_relative_eq;
 use exact::Exact;
 use scene::{Gap, Hydrodynamics, LoadSet, SelfOther};
 
+use proptest::prelude::*;
+
 use super::*;
 
 fn quantity(name: &str) -> Quantity {
@@ -391,6 +393,30 @@ fn every_mistake_in_header_columns_and_matrices_is_told_in_one_line() {
             "line 147: row 1 of column 1 at the gap 0.1 is already in line 3",
         ),
         (
+            format!("#! viscosity = 1e-200\n{declared}"),
+            "the matrix at the gap 0.1 is not one of spheres with the radius and the viscosity of the header: entry (1, 1) is",
+        ),
+        (
+            format!("#! radius = 1e-300\n{declared}"),
+            "the matrix at the gap 1e299 is not one of spheres with",
+        ),
+        (
+            "#! mode_units = [1e-10]\ngap,name,value\n1,XF1_1,1e300\n".to_owned(),
+            "XF1_1 at the gap 1.0 is no finite number with the units",
+        ),
+        (
+            "#! slip_calibration = [1, 1e10]\ngap,name,value\n1,UX2_2,1e300\n".to_owned(),
+            "UX2_2 at the gap 1.0 is no finite number with the units",
+        ),
+        (
+            format!("#! mode_units = {:?}\n{named}", vec![1e100; 100_000]),
+            "header: mode_units [1e100, 1e100",
+        ),
+        (
+            format!("#! {} = 1\n{named}", "\u{1b}".repeat(1000)),
+            "header: ",
+        ),
+        (
             declared.replace("0.1,5,7,", "0.2,5,7,"),
             "row 5 of column 7 is missing at the gap 0.1",
         ),
@@ -401,5 +427,55 @@ fn every_mistake_in_header_columns_and_matrices_is_told_in_one_line() {
             error.len() < 300 && !error.contains(char::is_control),
             "{error}"
         );
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn mutated_headers_and_matrices_give_finite_values_or_one_line(
+        kind in prop::sample::select(vec!["mobility", "resistance", "grand"]),
+        keys in prop::collection::vec((
+            prop::sample::select(vec![
+                "model", "citation", "radius", "viscosity", "mode_units", "slip_calibration", "interpolation", "seconds_per_gap", "range", "noise",
+                "matrix", "modle", "", "[x]", "\u{1b}",
+            ]),
+            prop::sample::select(vec![
+                "\"mine\"", "1", "2.5", "1e-300", "1e300", "-1", "nan", "inf", "[1, 2]", "[1e-308, 1e308, 0.5]", "[]", "\"linear\"", "\"none\"", "{}",
+                "\"\\u001b\"", "\"", "1979-05-27",
+            ]),
+        ), 0..4),
+        mutations in prop::collection::vec((any::<prop::sample::Index>(), 0_usize..4, prop::sample::select(vec![
+            "", "0", "9", "e308", "e-320", "-", ",", "\n", "\"", "#", "#!", "nan", "B1_1z", "B2_2xz", "\u{feff}", "0.1,1,1,0\n",
+        ])), 0..3)
+    ) {
+        let header: String = keys.iter().map(|(key, value)| format!("#! {key} = {value}\n")).collect();
+        let header = format!("#! matrix = \"{kind}\"\n{header}");
+        let mut text = resistance_file(&[0.1], 1.0, &header);
+        for row in 1..=12 {
+            text += &format!("0.1,{row},B1_1z,{}\n", if row == 3 { 1e300 } else { 0.0 });
+        }
+        for (place, cut, piece) in mutations {
+            let mut from = place.index(text.len());
+            while !text.is_char_boundary(from) {
+                from -= 1;
+            }
+            let cut: usize = text[from..].chars().take(cut).map(char::len_utf8).sum();
+            text.replace_range(from..from + cut, piece);
+        }
+        match Submission::parse(&text) {
+            Ok(submission) => for answer in submission.answers() {
+                let calibrated = answer.values.calibrated(submission.header());
+                prop_assert_eq!(calibrated.iter().count(), answer.values.iter().count());
+                let laws = answer.laws.as_ref().unwrap();
+                let all = [laws.asymmetry.0, laws.images.0, laws.smallest_eigenvalue];
+                prop_assert!(all.iter().all(|law| law.is_finite()), "{:?}", laws);
+            },
+            Err(error) => {
+                let error = error.to_string();
+                prop_assert!(error.len() < 400 && !error.contains(char::is_control), "{}", error);
+            }
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! Models from outside: `--method NAME=FILE`.
+//! Models from outside: `--method NAME=FILE` and `--method NAME=exec:COMMAND`.
 
 use super::*;
 
@@ -99,4 +99,101 @@ fn a_load_that_a_scene_reads_and_a_file_lacks_is_named() {
         message.contains("YT1_1") && message.contains("'theirs'"),
         "{message}"
     );
+}
+
+/// A process that answers with lone spheres and writes its number to a file first. `sh` and its parameters have no comma, as a list of methods needs it.
+#[cfg(unix)]
+struct OfShell {
+    folder: tempfile::TempDir,
+}
+
+#[cfg(unix)]
+impl OfShell {
+    /// With what it does before it answers for a pair.
+    fn new(before: &str) -> Self {
+        let text = format!(
+            "echo $$ > \"$1\"; trap '' TERM INT HUP
+            read -r line; echo '{{\"header\":{{\"range\":[0.001,1000]}}}}'
+            while read -r line; do
+                gap=${{line##*:}}; gap=${{gap%\\}}}}; {before}
+                echo \"{{\\\"gap\\\":$gap,\\\"values\\\":{{\\\"X11A\\\":1,\\\"X12A\\\":0,\\\"XF1_1\\\":4,\\\"XF2_1\\\":0,\
+\\\"XF1_2\\\":0,\\\"XF2_2\\\":0}}}}\"
+            done
+            while true; do sleep 600; done\n"
+        );
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("model.sh"), text).unwrap();
+        Self { folder }
+    }
+
+    fn method(&self) -> String {
+        let [script, id] = ["model.sh", "id"].map(|name| self.folder.path().join(name));
+        format!("theirs=exec:sh {} {}", script.display(), id.display())
+    }
+
+    /// Whether it runs; `None` before it has begun. Of a process that has ended nothing is left once somebody has waited for it.
+    fn runs(&self) -> Option<bool> {
+        let id = std::fs::read_to_string(self.folder.path().join("id")).ok()?;
+        let id = id.strip_suffix('\n')?;
+        let test = format!("kill -0 {id} 2>/dev/null");
+        Some(
+            Command::new("sh")
+                .args(["-c", &test])
+                .status()
+                .unwrap()
+                .success(),
+        )
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn no_process_outlives_a_command_however_it_ends() {
+    let model = OfShell::new("");
+    let method = model.method();
+    let out = model.folder.path().join("out");
+    let head_on = ["head-on", "--dx", "0", "--departure", "12", "--method"];
+    let output = squirmers(&out, &[&head_on[..], &[&method]].concat());
+    assert!(output.status.success(), "{output:?}");
+    assert_eq!(model.runs(), Some(false));
+    let rows = rows(&out.join("head-on.csv"));
+    assert!(
+        rows.iter()
+            .any(|row| row.iter().any(|field| field == "theirs"))
+    );
+    // Refused for something else, after the process has begun.
+    let model = OfShell::new("");
+    let methods = format!("{},other=nowhere.csv", model.method());
+    refused(&["head-on", "--method", &methods], "'nowhere.csv'");
+    assert_eq!(model.runs(), Some(false));
+    // Refused because the process has no answer.
+    let model = OfShell::new("echo Oh! >&2; exit 3");
+    refused(&[&head_on[..], &[&model.method()]].concat(), "Oh!");
+    assert_eq!(model.runs(), Some(false));
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_a_process_that_has_not_answered_and_is_no_failure_of_it() {
+    let model = OfShell::new("sleep 600");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_squirmers"))
+        .args(["head-on", "--dx", "0", "--departure", "12", "--method"])
+        .arg(model.method())
+        .arg("--out")
+        .arg(model.folder.path())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    while model.runs().is_none() {
+        assert!(child.try_wait().unwrap().is_none(), "it ended too early");
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    let id = child.id().to_string();
+    let sent = Command::new("kill").args(["-INT", &id]).status().unwrap();
+    assert!(sent.success());
+    let output = child.wait_with_output().unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(130), "{message}");
+    assert_eq!(message.trim(), "interrupted");
+    assert_eq!(model.runs(), Some(false));
 }
