@@ -70,6 +70,25 @@ pub struct Fault {
 }
 
 impl Kind {
+    /// One of each kind, with numbers that mean nothing.
+    pub const ALL: [Self; 15] = [
+        Self::Sign,
+        Self::Factor(2.0),
+        Self::SignAndFactor(-2.0),
+        Self::FactorBelow(2.0, 1.0),
+        Self::Cut(1.0),
+        Self::Alone,
+        Self::StraightLines(8),
+        Self::Between,
+        Self::OneValue(1.0),
+        Self::NoLubrication,
+        Self::Coefficient(2.0, 1.0),
+        Self::Constant,
+        Self::SignAt(1.0, 2.0),
+        Self::Far(2.0),
+        Self::Error,
+    ];
+
     /// Name in tables.
     #[must_use]
     pub fn name(self) -> &'static str {

@@ -30,7 +30,7 @@ pub use faults::{FAULT, Fault, Kind};
 pub use history::{HistoryRow, history_rows};
 pub use leaderboard::{LeaderRow, is_public, leader_rows, leaderboard, submission_of};
 pub use points::{Item, Point, TRUST, Truth, trusted_down_to};
-pub use rows::JudgeRow;
+pub use rows::{JudgeRow, MEASURES};
 
 /// Gaps at which a process is asked, within its range.
 pub const GAPS: [f64; 22] = [

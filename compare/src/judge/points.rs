@@ -55,6 +55,13 @@ impl Point {
         (self.value - self.truth) / self.scale
     }
 
+    /// Whether the error is beyond a bound, or no number.
+    #[must_use]
+    pub fn is_beyond(&self, bound: f64) -> bool {
+        let compared = self.error().abs().partial_cmp(&bound);
+        compared.is_none_or(std::cmp::Ordering::is_gt)
+    }
+
     /// The error relative to the truth alone, in per cent.
     #[must_use]
     pub fn relative_percent(&self) -> f64 {
@@ -189,9 +196,7 @@ pub fn trusted_down_to<'a>(
     points: impl Iterator<Item = &'a Point> + Clone,
     bound: f64,
 ) -> Option<f64> {
-    let broken = points
-        .clone()
-        .filter(|point| !(point.error().abs() <= bound));
+    let broken = points.clone().filter(|point| point.is_beyond(bound));
     let worst = broken.map(|point| point.gap).fold(0.0, f64::max);
     let within = points.map(|point| point.gap).filter(|&gap| gap > worst);
     within.reduce(f64::min)

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::points::{Item, Point, TRUST, by_item, trusted_down_to};
-use super::{Scorecard, faults};
+use super::{LeaderRow, Scorecard, faults};
 use crate::columns::columns;
 use crate::numbers::{few_digits, size, written};
 
@@ -28,6 +28,118 @@ columns! {
         pub unit: &'static str,
     }
 }
+
+/// Every measure with its meaning.
+pub const MEASURES: [(&str, &str); 33] = [
+    (
+        "error",
+        "error at a gap of its own, divided by the larger of the exact number and its value of a lone sphere (1 for scalars, 4 for the thrusts, 2/3 for velocities by slip);                of an approach speed by the exact speed",
+    ),
+    (
+        "relative_error",
+        "the same in per cent of the exact number alone",
+    ),
+    (
+        "worst_error",
+        "the largest error of a quantity at its own gaps",
+    ),
+    (
+        "raw_error",
+        "error without the declared calibration of slip",
+    ),
+    (
+        "raw_relative_error",
+        "the same in per cent of the exact number alone",
+    ),
+    ("raw_worst_error", "the largest of these"),
+    (
+        "error_between",
+        "error between its gaps, by the interpolation that it declares",
+    ),
+    (
+        "relative_error_between",
+        "the same in per cent of the exact number alone",
+    ),
+    ("worst_error_between", "the largest of these"),
+    (
+        "trusted_down_to",
+        "the smallest gap from which on, up to its largest gap, errors are within a bound: of all that it gives, and of each quantity",
+    ),
+    (
+        "missing",
+        "at how many of its gaps a quantity is neither given nor follows from others",
+    ),
+    (
+        "law",
+        "of a matrix: the largest differences of entries that reciprocity, or two equal spheres, make equal; and smallest eigenvalues of mobilities (1 of lone spheres,              never negative)",
+    ),
+    (
+        "contact_term",
+        "factor of the strongest singular term of a load near contact, `1/gap` or `ln(1/gap)`, from a fit to gaps up to 0.11",
+    ),
+    ("exact_contact_term", "what that factor is"),
+    ("contact_term_ratio", "the first over the second"),
+    (
+        "third_law",
+        "what is left of singular terms that cancel because lubrication acts on both spheres with opposite forces, relative to one of them",
+    ),
+    (
+        "far_power",
+        "power of the distance of the centres between its two largest gaps",
+    ),
+    ("exact_far_power", "what that power is"),
+    (
+        "fault",
+        "what is wrong with a quantity; the number that comes with it, such as a factor, or NaN",
+    ),
+    (
+        "deflection_deg",
+        "deflection in a case of the paper's Figs 6 and 7, read where the centres are 12 apart, with the outcome",
+    ),
+    (
+        "exact_deflection_deg",
+        "the same by exact hydrodynamics, read at the same distance",
+    ),
+    (
+        "deflection_error_deg",
+        "the larger error of the two squirmers; NaN unless both models part the pair",
+    ),
+    (
+        "outcome_share",
+        "share of the incoming angles with an outcome",
+    ),
+    ("exact_outcome_share", "the same by exact hydrodynamics"),
+    (
+        "trust_share",
+        "share of the incoming angles in each class of difference",
+    ),
+    (
+        "parting_share",
+        "share of the incoming angles at which the two models do not end alike, by the two outcomes, with one such start",
+    ),
+    (
+        "bound_state_gap",
+        "gap of a bound state that both models have",
+    ),
+    ("bound_state_missing", "a bound state that it lacks; NaN"),
+    (
+        "bound_state_extra",
+        "gap of a bound state that exact hydrodynamics lacks",
+    ),
+    (
+        "seconds_per_gap",
+        "time of one gap: as its header states, or as measured of a process",
+    ),
+    (
+        "exact_seconds_per_gap",
+        "time of one gap by exact loads, measured now",
+    ),
+    ("time_ratio", "the first over the second"),
+    (
+        "score",
+        "the largest error of the ten resistance scalars at gaps from 0.01 to 2; NaN unless all are there",
+    ),
+];
 
 /// Puts rows together.
 struct Table<'a> {
@@ -169,6 +281,12 @@ impl Scorecard {
                 );
             }
         }
+        table.add(
+            "score",
+            "ten resistance scalars",
+            LeaderRow::of(self).score,
+            "-",
+        );
         self.collision_rows(&mut table);
         if let Some(seconds) = self.seconds_per_gap {
             table.add("seconds_per_gap", "stated or measured", seconds, "s");
@@ -255,7 +373,7 @@ impl Scorecard {
     #[must_use]
     pub fn spoiled_by(&self, bound: f64) -> Option<(Item, f64, f64)> {
         let all = self.points.iter().chain(&self.between);
-        let broken = all.filter(|point| !(point.error().abs() <= bound));
+        let broken = all.filter(|point| point.is_beyond(bound));
         let first = broken.max_by(|a, b| {
             a.gap
                 .total_cmp(&b.gap)

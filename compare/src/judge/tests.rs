@@ -4,7 +4,7 @@ use scene::Hydrodynamics;
 
 use super::*;
 use crate::ModelOptions;
-use crate::numbers::written;
+use crate::numbers::few_digits;
 
 const ALL: LoadSet = LoadSet::all(2);
 
@@ -219,7 +219,7 @@ fn one_wrong_value_and_a_wrong_far_field_are_told() {
         }
     }));
     assert_eq!(named(&card), [("one wrong value", vec!["Y12C".to_owned()])]);
-    assert!(verdict(&card).contains(&format!("at gap {}", written(typing))));
+    assert!(verdict(&card).contains(&format!("at gap {}", few_digits(typing))));
     let card = judged(file("", &all, |gap, name, value| {
         if name == "X12A" && gap > 20.0 {
             1.5 * value
@@ -306,4 +306,30 @@ fn val_errors_of_public_codes_are_those_that_were_measured_apart_from_this_code(
         compared += 1;
     }
     assert!(compared > 150, "{compared}");
+}
+
+#[test]
+fn the_page_lists_the_measures_and_the_faults_as_they_are() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/JUDGE.md");
+    let page = std::fs::read_to_string(file).unwrap();
+    for (measure, meaning) in MEASURES {
+        let row = format!("| `{measure}` | {meaning} |");
+        assert!(page.contains(&row), "missing in docs/JUDGE.md: {row}");
+    }
+    for kind in Kind::ALL {
+        assert!(
+            page.contains(&format!("| {} | ", kind.name())),
+            "missing in docs/JUDGE.md: {}",
+            kind.name()
+        );
+    }
+    // Every row is one of the measures.
+    let submission = Submission::parse(fixtures::peer("multiblobs-42").unwrap()).unwrap();
+    for row in judged(submission).rows() {
+        assert!(
+            MEASURES.iter().any(|(measure, _)| *measure == row.measure),
+            "{}",
+            row.measure
+        );
+    }
 }

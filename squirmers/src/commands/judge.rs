@@ -285,7 +285,6 @@ fn page(
                 errors_table(card)?,
                 Table::from_rows(caption, &format!("judge-{}.csv", card.name), &shown)?,
             ],
-            ..Section::default()
         });
     }
     Ok(render(&Page {
