@@ -70,7 +70,11 @@ pub(super) fn run(
         submissions.push((name, submitted));
     }
     let movers = (submissions.iter())
-        .map(|(name, submitted)| Ok(mover(name, submitted)?))
+        .map(|(name, submitted)| match grid {
+            Some(_) => Ok(mover(name, submitted)?),
+            // Nothing is asked between the gaps at which it is judged.
+            None => Ok(Err("not asked for".to_owned())),
+        })
         .collect::<Result<Vec<_>, CommandError>>()?;
     let out = general.output()?;
     let exact = referee(&general.model_options())?;
