@@ -244,10 +244,11 @@ impl Fault {
         const MOST: usize = 4;
         let mut all: Vec<_> = self.items.iter().zip(&self.worst_of).collect();
         all.sort_by(|a, b| b.1.0.total_cmp(&a.1.0));
-        let each: Vec<String> = (all.iter().take(MOST))
-            .map(|(item, (error, gap))| {
+        let each: Vec<String> = (all.iter().take(MOST).enumerate())
+            .map(|(place, (item, (error, gap)))| {
+                let is = if place == 0 { "is off by" } else { "by" };
                 format!(
-                    "{item} by {} (gap {})",
+                    "{item} {is} {} (gap {})",
                     size_percent(*error),
                     few_digits(*gap)
                 )
@@ -257,7 +258,7 @@ impl Fault {
             [] => String::new(),
             rest => format!(", {} more by less", rest.len()),
         };
-        format!("off are {}{more}", each.join(", "))
+        format!("{}{more}", each.join(", "))
     }
 }
 

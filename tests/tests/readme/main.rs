@@ -6,6 +6,7 @@ mod costs;
 mod deflections;
 mod incoming_angles;
 mod page;
+mod public_codes;
 mod unlike_radii;
 
 use std::sync::OnceLock;
