@@ -4,6 +4,7 @@ use exact::Exact;
 use scene::SceneError;
 
 use crate::CompareError;
+use crate::numbers::as_typed;
 
 /// Radii of sphere 2 over that of sphere 1.
 pub const RATIOS: [f64; 5] = [0.1, 0.5, 1.0, 2.0, 10.0];
@@ -17,13 +18,18 @@ const FIRST_DIGITS: [u8; 4] = [1, 2, 3, 5];
 /// Gaps in units of the mean radius: 1, 2, 3 and 5 in each decade from 1e-6, and 100.
 pub fn gaps() -> impl Iterator<Item = f64> {
     let of = |decade: i32| FIRST_DIGITS.map(|digit| f64::from(digit) * 10_f64.powi(decade));
-    DECADES.flat_map(of).chain([100.0]).map(as_typed)
+    DECADES.flat_map(of).chain([100.0]).map(cleaned)
 }
 
 /// The same gaps in radii of sphere 1, for spheres whose radii are in the given `ratio`.
 pub fn gaps_of_ratio(ratio: f64) -> Vec<f64> {
     let mean = 0.5 * (1.0 + ratio);
-    gaps().map(|gap| as_typed(mean * gap)).collect()
+    gaps().map(|gap| cleaned(mean * gap)).collect()
+}
+
+/// A gap without the digits that are only rounding.
+fn cleaned(gap: f64) -> f64 {
+    as_typed(gap, gap)
 }
 
 /// The exact model of a ratio of radii.
@@ -48,11 +54,6 @@ impl ExactOf {
             })
             .collect()
     }
-}
-
-/// A number without the digits that are only rounding.
-pub(super) fn as_typed(value: f64) -> f64 {
-    format!("{value:.12e}").parse().unwrap_or(value)
 }
 
 #[cfg(test)]

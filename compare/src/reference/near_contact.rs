@@ -4,10 +4,11 @@ use scene::{Gap, SceneError, singular};
 use serde::Serialize;
 
 use super::digits::Digits;
-use super::gaps::{ExactOf, as_typed};
+use super::gaps::ExactOf;
 use super::loads::{LOADS, named, relative_error};
 use crate::CompareError;
 use crate::columns::columns;
+use crate::numbers::as_typed;
 
 columns! {
     /// A row for each ratio of the radii and load: near contact it is `inverse/eps + logarithm ln(1/eps) + constant`, with terms of
@@ -82,6 +83,6 @@ fn of_ratio(of: &ExactOf) -> Result<Vec<NearContactRow>, CompareError> {
 
 /// A closed form without what rounding has left of it.
 fn clean(coefficient: f64) -> f64 {
-    // No negative zeros.
-    as_typed((coefficient * 1e13).round() / 1e13) + 0.0
+    // Thirteen digits after the point, and no negative zeros.
+    as_typed(coefficient, 0.1) + 0.0
 }

@@ -59,11 +59,11 @@ fn val_squirming_near_contact_is_that_of_multipole_collocation() {
         let (kind, of_active) = (&load[..2], load.ends_with('1'));
         // Either sphere may be the active one.
         for (ratio, active) in [(other_over_active, 1), (1.0 / other_over_active, 2)] {
-            let name = if !scene::are_unlike(ratio) {
-                format!("{load}_{mode}")
-            } else {
+            let name = if scene::are_unlike(ratio) {
                 let loaded = if of_active { active } else { 3 - active };
                 format!("{kind}{loaded}{active}_{mode}")
+            } else {
+                format!("{load}_{mode}")
             };
             let slope = SLOPES.at(ratio, 1.0, &name);
             let constant = CONSTANTS.at(ratio, 1.0, &name);
