@@ -21,6 +21,7 @@ mod model_options;
 mod no_run;
 pub mod numbers;
 pub mod output;
+pub mod reference;
 pub mod scene_file;
 pub mod scene_run;
 pub mod study;

@@ -223,7 +223,7 @@ fn is_plain(value: f64) -> bool {
 
 /// A number of a range as a person types it: `0.1 * 3` is not `0.3` in floating point, so digits more than twelve
 /// places below the step are rounded away.
-fn as_typed(value: f64, step: f64) -> f64 {
+pub(crate) fn as_typed(value: f64, step: f64) -> f64 {
     let digits = 12 - step.abs().log10().floor() as i32;
     let scale = 10_f64.powi(digits.clamp(0, 300));
     let scaled = value * scale;

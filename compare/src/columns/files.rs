@@ -6,6 +6,9 @@ use super::{Column, Columns, UNITS};
 use crate::cost::{CostRow, Finding, Recommendation};
 use crate::hard_cases::HardCaseRow;
 use crate::judge::{JudgeRow, LeaderRow};
+use crate::reference::{
+    DeflectionRow, FarFieldRow, MobilityRow, NearContactRow, ReferenceBoundState, ReferenceLoad,
+};
 use crate::scene_run::SampleRow;
 use crate::study::cargo::CargoRow;
 use crate::study::maps::{BoundExample, BoundRow, FateRow, ScatterRow, TrustRow, TrustShares};
@@ -45,7 +48,7 @@ const fn file<R: Columns>(
 }
 
 /// Every CSV file. Files with the same kind of row stand together.
-pub const FILES: [CsvFile; 29] = [
+pub const FILES: [CsvFile; 36] = [
     file::<LoadRow>("loads.csv", &["loads"], "Loads at given gaps."),
     file::<EncounterRow>(
         "head-on.csv",
@@ -170,6 +173,41 @@ pub const FILES: [CsvFile; 29] = [
         "comparison.csv",
         &["report"],
         "Deflections by every method side by side.",
+    ),
+    file::<ReferenceLoad>(
+        "reference/loads.csv",
+        &["reference"],
+        "`loads.csv` of the package of reference numbers.",
+    ),
+    file::<MobilityRow>(
+        "reference/mobilities.csv",
+        &["reference"],
+        "`mobilities.csv` of the package of reference numbers.",
+    ),
+    file::<NearContactRow>(
+        "reference/near-contact.csv",
+        &["reference"],
+        "`near-contact.csv` of the package of reference numbers.",
+    ),
+    file::<FarFieldRow>(
+        "reference/far-field.csv",
+        &["reference"],
+        "`far-field.csv` of the package of reference numbers.",
+    ),
+    file::<DeflectionRow>(
+        "reference/deflections.csv",
+        &["reference"],
+        "`deflections.csv` of the package of reference numbers.",
+    ),
+    file::<ReferenceBoundState>(
+        "reference/bound-states.csv",
+        &["reference"],
+        "`bound-states.csv` of the package of reference numbers.",
+    ),
+    file::<FateRow>(
+        "reference/shares.csv",
+        &["reference"],
+        "`shares.csv` of the package of reference numbers.",
     ),
 ];
 

@@ -8,6 +8,7 @@ mod judge;
 mod loads;
 mod many;
 pub(crate) mod maps;
+mod reference;
 mod scene;
 mod shared;
 mod sweep;
@@ -142,6 +143,11 @@ pub(crate) enum Command {
     /// Merge the shares of a sweep into the file of the whole sweep
     #[command(after_help = "Example:\n  squirmers merge share-1 share-2 share-3 --out whole")]
     Merge(MergeArguments),
+    /// A package of exact reference numbers, with their errors, to be cited and compared with
+    #[command(
+        after_help = "The folder must be new, empty, or that of an earlier package.\n\nExample:\n  squirmers reference --out squirmers-reference"
+    )]
+    Reference,
     /// All comparisons for the paper's cases, in one self-contained index.html
     #[command(after_help = "Example:\n  squirmers report --out out && xdg-open out/index.html")]
     Report {
@@ -188,6 +194,7 @@ pub(crate) fn run(
         Command::Explain(explain) => scene::explain(explain, general),
         Command::Sweep(given) => sweep::run(given, general),
         Command::Merge(given) => sweep::merge(given, general),
+        Command::Reference => reference::run(general),
         Command::Report { models, runs } => {
             let (methods, options) = model_options(models, &Method::DEFAULT, general)?;
             let sweep = sweep_options(runs, &methods)?;
