@@ -2,6 +2,7 @@
 
 use crate::error::CommandError;
 use crate::figures::{self, FigureError};
+use compare::judge::LeaderRow;
 use compare::numbers::written;
 use compare::study::cargo::CargoRow;
 use compare::study::encounters::Drawn;
@@ -121,6 +122,12 @@ pub(crate) fn of_trust_against_offset(
         picture(name, figures::trust_against_offset(alike))
     });
     drawn.filter_map(Result::transpose).collect()
+}
+
+/// Picture of scores against time; none if no model has both.
+pub(crate) fn of_scores(rows: &[LeaderRow]) -> Result<Option<Picture>, CommandError> {
+    let name = "score-against-time.svg".to_owned();
+    picture(name, figures::score_against_time(rows))
 }
 
 /// One picture of the shares against the ratio of the radii for each method.

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use compare::judge::{JudgeRow, Options, Scorecard, judge, mover, referee};
+use compare::judge::{JudgeRow, LeaderRow, Options, Scorecard, judge, mover, referee};
 use compare::numbers::{parse_number, parse_whole, rounded};
 use compare::output::csv_text;
 use compare::study::maps::Grid;
@@ -89,6 +89,20 @@ pub(super) fn run(
     let errors: Vec<_> = cards.iter().flat_map(Scorecard::curves).collect();
     let picture = figures::judged_errors(&errors)?;
     out.write("judge.svg", &picture)?;
+    let mut pictures_of_all = vec![Figure {
+        svg: picture,
+        caption: "Largest error of each group of numbers.".to_owned(),
+    }];
+    // Of models that state their time and have all scalars.
+    let scores: Vec<LeaderRow> = cards.iter().map(LeaderRow::of).collect();
+    if let Some(picture) = pictures::of_scores(&scores)? {
+        out.write(&picture.file_name, &picture.svg)?;
+        pictures_of_all.push(Figure {
+            svg: picture.svg,
+            caption: "Largest error of a resistance scalar against the time of one gap, as stated or measured."
+                .to_owned(),
+        });
+    }
     let mut maps = Vec::new();
     for card in &cards {
         let rows = card
@@ -104,7 +118,7 @@ pub(super) fn run(
     let page = page(
         &cards,
         &rows,
-        (picture, maps),
+        (pictures_of_all, maps),
         provenance::of(typed, started.elapsed().as_secs_f64()),
     )?;
     let path = out.write("judge.html", &page)?;
@@ -215,7 +229,7 @@ fn wrapped(line: &str) -> String {
 fn page(
     cards: &[Scorecard],
     rows: &[JudgeRow],
-    (picture, maps): (String, Vec<Vec<Picture>>),
+    (figures, maps): (Vec<Figure>, Vec<Vec<Picture>>),
     provenance: crate::page::Provenance,
 ) -> Result<String, CommandError> {
     let mut sections = vec![Section {
@@ -226,10 +240,7 @@ fn page(
              at the model's own gaps; lines between them follow its own interpolation where it declares one."
                 .to_owned(),
         ],
-        figures: vec![Figure {
-            svg: picture,
-            caption: "Largest error of each group of numbers.".to_owned(),
-        }],
+        figures,
         ..Section::default()
     }];
     for ((place, card), maps) in cards.iter().enumerate().zip(maps) {

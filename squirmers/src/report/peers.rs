@@ -5,8 +5,9 @@ use compare::output::{OutputFolder, csv_text};
 use compare::{Model, numbers};
 
 use crate::error::CommandError;
-use crate::figures::{score_against_time, trusted_gaps};
+use crate::figures::trusted_gaps;
 use crate::page::{Figure, Section, Table};
+use crate::pictures::of_scores;
 
 pub(super) fn section(exact: &Model, out: &OutputFolder) -> Result<Section, CommandError> {
     let cards = leaderboard(exact)?;
@@ -14,24 +15,20 @@ pub(super) fn section(exact: &Model, out: &OutputFolder) -> Result<Section, Comm
     let csv = csv_text(&rows)?;
     out.write("leaderboard.csv", &csv)?;
     let mut figures = Vec::new();
-    for (name, svg, caption) in [
-        (
-            "trusted-gaps.svg",
-            trusted_gaps(&rows),
-            "All that a model gives is within a bound from its mark on, to the largest of its gaps. A model without a mark breaks the bound there \
-             already. No model was asked at gaps smaller than 0.005, but for the near field.",
-        ),
-        (
-            "score-against-time.svg",
-            score_against_time(&rows),
-            "Time of one gap, as measured on one core for public codes and now for the models of this workspace.",
-        ),
-    ] {
-        let svg = svg?;
-        out.write(name, &svg)?;
+    let trusted = trusted_gaps(&rows)?;
+    out.write("trusted-gaps.svg", &trusted)?;
+    figures.push(Figure {
+        svg: trusted,
+        caption: "All that a model gives is within a bound from its mark on, to the largest of its gaps. A model without a mark breaks the bound there \
+                  already. No model was asked at gaps smaller than 0.005, but for the near field."
+            .to_owned(),
+    });
+    if let Some(picture) = of_scores(&rows)? {
+        out.write(&picture.file_name, &picture.svg)?;
         figures.push(Figure {
-            svg,
-            caption: caption.to_owned(),
+            svg: picture.svg,
+            caption: "Time of one gap, as measured on one core for public codes and now for the models of this workspace."
+                .to_owned(),
         });
     }
     Ok(Section {
