@@ -3,6 +3,7 @@
 use compare::judge::{LeaderRow, Scorecard, is_public, leader_rows, leaderboard};
 use compare::output::{OutputFolder, csv_text};
 use compare::{Model, numbers};
+use serde::Serialize;
 
 use crate::error::CommandError;
 use crate::figures::trusted_gaps;
@@ -35,41 +36,61 @@ pub(super) fn section(exact: &Model, out: &OutputFolder) -> Result<Section, Comm
         id: "leaderboard".to_owned(),
         title: "Who is how accurate, for how long".to_owned(),
         finding: finding(&rows),
-        prose: std::iter::once(
+        prose: vec![
             "Public codes and the models of this workspace, all judged in the same way by `squirmers judge`. The score is the largest error of the ten \
              resistance scalars at gaps from 0.01 to 2, each divided by the larger of the exact scalar and 1."
                 .to_owned(),
-        )
-        .chain(cards.iter().filter_map(sentence))
-        .collect(),
+        ],
         figures,
-        tables: vec![Table::from_csv(
-            "Sorted by score; models without all ten scalars at all these gaps come last.",
-            "leaderboard.csv",
-            &csv,
-        )?],
+        tables: vec![
+            Table::from_csv(
+                "Sorted by score; models without all ten scalars at all these gaps come last.",
+                "leaderboard.csv",
+                &csv,
+            )?,
+            Table::from_rows(
+                "What is wrong with public codes, the worst first.",
+                "leaderboard-faults.csv",
+                &cards.iter().flat_map(faults).collect::<Vec<_>>(),
+            )?,
+        ],
     })
 }
 
-/// The faults of a public code in a paragraph.
-fn sentence(card: &Scorecard) -> Option<String> {
-    let faults: Vec<String> = card
-        .faults
-        .iter()
-        .take(3)
-        .map(|fault| fault.sentence())
-        .collect();
+/// A fault of a public code, or a law that it breaks.
+#[derive(Serialize)]
+struct Wrong {
+    model: String,
+    what: &'static str,
+    sentence: String,
+}
+
+fn faults(card: &Scorecard) -> Vec<Wrong> {
+    if !is_public(&card.name) {
+        return Vec::new();
+    }
+    let wrong = |what, sentence| Wrong {
+        model: card.name.clone(),
+        what,
+        sentence,
+    };
     let laws = card.matrix_laws.iter().filter(|law| law.is_broken());
     let laws = laws.map(|law| {
-        format!(
-            "its matrix breaks the law of {} by {}",
-            law.name,
-            numbers::rounded(law.value, 4)
+        let off = numbers::rounded(law.value, 4);
+        wrong(
+            "law broken",
+            format!(
+                "{} of the matrix: off by {off}, worst at gap {}",
+                law.name,
+                numbers::few_digits(law.gap)
+            ),
         )
     });
-    let all: Vec<String> = laws.chain(faults).collect();
-    (is_public(&card.name) && !all.is_empty())
-        .then(|| format!("{}: {}.", card.name, all.join("; ")))
+    let faults = card
+        .faults
+        .iter()
+        .map(|fault| wrong(fault.kind.name(), fault.sentence()));
+    laws.chain(faults).collect()
 }
 
 fn finding(rows: &[LeaderRow]) -> String {
