@@ -74,6 +74,29 @@ impl Defaults {
         Ok(toml::from_str(fixtures::CASES)?)
     }
 
+    /// The encounters of Figs 6 and 7.
+    ///
+    /// # Errors
+    /// As [`Self::paper`].
+    pub fn paper_encounters() -> Result<Vec<Case>, CompareError> {
+        let defaults = Self::paper()?;
+        let mut cases = Vec::new();
+        for approach in [Approach::HeadOn, Approach::Orthogonal] {
+            let of = defaults.encounters(approach);
+            for &beta in &of.beta {
+                for &dx in &of.dx {
+                    cases.extend(of.dz.iter().map(|&dz| Case {
+                        approach,
+                        beta,
+                        dx,
+                        dz,
+                    }));
+                }
+            }
+        }
+        Ok(cases)
+    }
+
     /// The values for `approach`.
     #[must_use]
     pub fn encounters(&self, approach: Approach) -> &EncounterDefaults {

@@ -79,7 +79,7 @@ pub(super) fn measure(
     for built in tables.usual_bem() {
         entrants.push(Entrant::new(&*built.name, built.seconds, &built.table));
     }
-    let cases = cases()?;
+    let cases = Defaults::paper_encounters()?;
     let mut references = Vec::with_capacity(cases.len());
     for case in &cases {
         let scene = case.scene()?;
@@ -216,24 +216,6 @@ fn seconds_of_solve<M: Hydrodynamics>(model: &M) -> Result<f64, SceneError> {
 /// Whether this is the typical collision of Fig. 6, which is neither the closest one nor a near miss.
 fn is_typical(case: &Case) -> bool {
     case.approach == Approach::HeadOn && (case.dx - 2.0).abs() < 0.5
-}
-
-/// All encounters of Figs 6 and 7.
-fn cases() -> Result<Vec<Case>, CompareError> {
-    let defaults = Defaults::paper()?;
-    let mut cases = Vec::new();
-    for approach in [Approach::HeadOn, Approach::Orthogonal] {
-        let lists = defaults.encounters(approach);
-        for &beta in &lists.beta {
-            cases.extend(lists.dx.iter().map(|&dx| Case {
-                approach,
-                beta,
-                dx,
-                dz: 0.0,
-            }));
-        }
-    }
-    Ok(cases)
 }
 
 fn row(model: &str, tolerance: f64, case: &Case) -> CostRow {

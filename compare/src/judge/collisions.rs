@@ -98,19 +98,7 @@ pub(super) fn collisions(
         angles_at: ANGLES_AT,
         ..RunOptions::default()
     };
-    let defaults = Defaults::paper()?;
-    let mut cases = Vec::new();
-    for approach in [Approach::HeadOn, Approach::Orthogonal] {
-        let of = defaults.encounters(approach);
-        for &beta in &of.beta {
-            cases.extend(of.dx.iter().map(|&dx| Case {
-                approach,
-                beta,
-                dx,
-                dz: 0.0,
-            }));
-        }
-    }
+    let cases = Defaults::paper_encounters()?;
     let progress = Progress::begin(
         "collisions",
         cases.len() + BETAS.len() * grid.points(),

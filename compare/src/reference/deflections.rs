@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::digits::{Digits, upward};
 use super::tables::Tables;
 use crate::columns::columns;
-use crate::{Approach, Case, CompareError, Defaults};
+use crate::{Case, CompareError, Defaults};
 
 /// Tolerance of the integrator, and the one that tells what it leaves.
 const TOLERANCE: f64 = 1e-12;
@@ -68,35 +68,12 @@ columns! {
     }
 }
 
-/// The encounters of Figs 6 and 7.
-///
-/// # Errors
-/// [`CompareError::Cases`] if the embedded file does not parse.
-fn cases() -> Result<Vec<Case>, CompareError> {
-    let defaults = Defaults::paper()?;
-    let mut cases = Vec::new();
-    for approach in [Approach::HeadOn, Approach::Orthogonal] {
-        let of = defaults.encounters(approach);
-        for &beta in &of.beta {
-            for &dx in &of.dx {
-                cases.extend(of.dz.iter().map(|&dz| Case {
-                    approach,
-                    beta,
-                    dx,
-                    dz,
-                }));
-            }
-        }
-    }
-    Ok(cases)
-}
-
 /// A row for each encounter.
 ///
 /// # Errors
 /// Those of runs.
 pub fn deflections(tables: &Tables) -> Result<Vec<DeflectionRow>, CompareError> {
-    let cases = cases()?;
+    let cases = Defaults::paper_encounters()?;
     (cases.par_iter())
         .map(|case| of_case(case, tables))
         .collect()
