@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 use std::fmt;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use bem::Bem;
 use scene::{Gap, Hydrodynamics};
@@ -110,12 +110,16 @@ impl Method {
         Self::registered(name, model.into(), false)
     }
 
-    /// The same for a model that may take so long for each gap that it `is_dear`: it is tabulated before it moves pairs.
-    pub(crate) fn registered(
-        name: &str,
-        model: Arc<dyn Hydrodynamics>,
-        is_dear: bool,
-    ) -> Result<Self, CompareError> {
+    /// Refuses a name that is none for a model from outside.
+    ///
+    /// # Errors
+    /// As [`Self::register`].
+    pub fn check(name: &str) -> Result<(), CompareError> {
+        Self::others_without(name).map(drop)
+    }
+
+    /// The models from outside, none of which has this name.
+    fn others_without(name: &str) -> Result<MutexGuard<'static, Vec<OtherModel>>, CompareError> {
         let refused = |allowed: &str| Err(CompareError::input("--method", name, allowed));
         let is_part = |c: char| c.is_alphanumeric() || "-_.".contains(c);
         if name.is_empty() || name.len() > MOST_LETTERS || !name.chars().all(is_part) {
@@ -124,13 +128,23 @@ impl Method {
             );
             return refused(&allowed);
         }
-        let mut others = OTHERS.lock().unwrap_or_else(PoisonError::into_inner);
+        let others = OTHERS.lock().unwrap_or_else(PoisonError::into_inner);
         let of_ours = (Self::ALL.iter()).chain(std::iter::once(&Self::Isolated));
         if of_ours.map(|method| method.name()).any(|n| n == name)
             || others.iter().any(|other| other.0.name == name)
         {
             return refused("a model has this name already: give another one");
         }
+        Ok(others)
+    }
+
+    /// The same for a model that may take so long for each gap that it `is_dear`: it is tabulated before it moves pairs.
+    pub(crate) fn registered(
+        name: &str,
+        model: Arc<dyn Hydrodynamics>,
+        is_dear: bool,
+    ) -> Result<Self, CompareError> {
+        let mut others = Self::others_without(name)?;
         let other = OtherModel(Box::leak(Box::new(Registered {
             name: Box::leak(name.to_owned().into_boxed_str()),
             number: others.len(),

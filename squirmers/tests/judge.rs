@@ -173,6 +173,33 @@ fn a_process_that_reads_the_exact_loads_is_judged_as_they_are() {
     assert!(csv.contains("sh,seconds_per_gap,"));
 }
 
+#[cfg(unix)]
+#[test]
+fn gaps_without_an_answer_are_left_out_and_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("model.sh");
+    let script = "read line\nprintf '{\"header\":{\"range\":[0.05,998]}}\\n'\nwhile read line; do\ncase $line in\n\
+                  *:38.0}*) printf '{\"gap\":38.0,\"values\":{\"x12a\":0.0375}}\\n';;\n\
+                  *) gap=${line##*:}; printf '{\"gap\":%s,\"error\":\"too close\"}\\n' ${gap%\\}};;\nesac\ndone\n";
+    std::fs::write(&path, script).unwrap();
+    let model = format!("sh=exec:sh {}", path.display());
+    let output = squirmers(folder.path(), &["judge", &model, "--grid", "0"]);
+    assert!(output.status.success(), "{output:?}");
+    let said = String::from_utf8(output.stdout)
+        .unwrap()
+        .replace("\n  ", " ");
+    assert!(
+        said.contains(
+            "It has no answer at 15 of the gaps that it was asked for, first at 0.05: too close."
+        ),
+        "{said}"
+    );
+    assert!(
+        said.contains("sh is within 1 % at all its gaps, down to 38."),
+        "{said}"
+    );
+}
+
 #[test]
 fn bad_input_costs_one_line_and_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
@@ -188,6 +215,11 @@ fn bad_input_costs_one_line_and_leaves_nothing() {
         (
             vec!["judge", &good, "--answer-limit", "0"],
             "--answer-limit",
+        ),
+        (vec!["judge", &format!("={pystokes}")], "letters"),
+        (
+            vec!["judge", &format!("lt={pystokes}"), "--grid", "0"],
+            "already",
         ),
         (vec!["judge", "a=exec:"], "give a program"),
         (

@@ -1,5 +1,7 @@
 //! What is wrong with a submission, and what would mend it.
 
+use std::f64::consts::PI;
+
 use super::contact::Contact;
 use super::points::{Item, Point};
 use crate::numbers::{few_digits, rounded};
@@ -28,6 +30,12 @@ pub(super) const FAINT: f64 = 1e-8;
 pub enum Kind {
     /// It would fit with the other sign.
     Sign,
+    /// It is that of the other sphere.
+    Swapped,
+    /// All would fit if gaps were multiplied by this.
+    GapUnit(f64),
+    /// All would fit if gaps were distances of the centres.
+    Distance,
     /// It is this many times what it should be, at all gaps.
     Factor(f64),
     /// The same with the other sign.
@@ -67,12 +75,17 @@ pub struct Fault {
     pub items: Vec<Item>,
     /// Largest error of each, and the gap where it is.
     pub worst_of: Vec<(f64, f64)>,
+    /// The number that it comes with, of each.
+    pub numbers: Vec<f64>,
 }
 
 impl Kind {
     /// One of each kind, with numbers that mean nothing.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 18] = [
         Self::Sign,
+        Self::Swapped,
+        Self::GapUnit(2.0),
+        Self::Distance,
         Self::Factor(2.0),
         Self::SignAndFactor(-2.0),
         Self::FactorBelow(2.0, 1.0),
@@ -94,6 +107,9 @@ impl Kind {
     pub fn name(self) -> &'static str {
         match self {
             Self::Sign => "wrong sign",
+            Self::Swapped => "spheres exchanged",
+            Self::GapUnit(_) => "wrong unit of the gap",
+            Self::Distance => "distances in place of gaps",
             Self::Factor(_) => "wrong factor",
             Self::SignAndFactor(_) => "wrong sign and factor",
             Self::FactorBelow(..) => "wrong factor near contact",
@@ -116,6 +132,7 @@ impl Kind {
     pub fn number(self) -> f64 {
         match self {
             Self::Factor(number)
+            | Self::GapUnit(number)
             | Self::SignAndFactor(number)
             | Self::FactorBelow(number, _)
             | Self::Cut(number)
@@ -125,9 +142,13 @@ impl Kind {
             | Self::Far(number) => number,
             Self::StraightLines(number) => number as f64,
             Self::Sign => -1.0,
-            Self::Alone | Self::Between | Self::NoLubrication | Self::Constant | Self::Error => {
-                f64::NAN
-            }
+            Self::Swapped
+            | Self::Distance
+            | Self::Alone
+            | Self::Between
+            | Self::NoLubrication
+            | Self::Constant
+            | Self::Error => f64::NAN,
         }
     }
 
@@ -144,8 +165,7 @@ impl Kind {
             (Self::Coefficient(a, at), Self::Coefficient(b, also)) => {
                 close(a / at, b / also) && close(at.abs(), also.abs())
             }
-            (Self::StraightLines(a), Self::StraightLines(b)) => a == b,
-            (Self::Far(a), Self::Far(b)) => close(a, b),
+
             (Self::SignAt(..), _) => false,
             _ => std::mem::discriminant(&self) == std::mem::discriminant(&other),
         }
@@ -153,6 +173,29 @@ impl Kind {
 }
 
 impl Fault {
+    /// Of one item with these points.
+    pub(super) fn of(kind: Kind, item: Item, points: &[Point]) -> Self {
+        Self {
+            kind,
+            items: vec![item],
+            worst_of: vec![worst(points)],
+            numbers: vec![kind.number()],
+        }
+    }
+
+    /// How little it explains: 1 for a cause, more for what has none, by the number of items.
+    pub(super) fn vagueness(&self) -> f64 {
+        match self.kind {
+            Kind::Error
+            | Kind::SignAt(..)
+            | Kind::Far(_)
+            | Kind::Constant
+            | Kind::OneValue(_)
+            | Kind::Alone => 2.0 + 0.5 * self.items.len() as f64,
+            _ => 1.0,
+        }
+    }
+
     /// Largest error, and the gap where it is.
     #[must_use]
     pub fn worst(&self) -> (f64, f64) {
@@ -169,24 +212,36 @@ impl Fault {
         let (worst, at) = self.worst();
         let percent = size_percent(worst);
         let at = few_digits(at);
-        let (is, fits) = if self.items.len() == 1 {
-            ("is", "would fit")
+        let (is, should) = if self.items.len() == 1 {
+            ("is", "it should")
         } else {
-            ("are", "would fit")
+            ("are", "they should")
         };
         match self.kind {
-            Kind::Sign => format!("{names} {fits} with the other sign"),
+            Kind::Sign => format!("{names} would fit with the other sign"),
+            Kind::Swapped => {
+                format!("{names} would fit if those of the two spheres were exchanged")
+            }
+            Kind::GapUnit(factor) => format!(
+                "all would fit if its gaps were multiplied by {}: are they in another unit than the radius?",
+                number(factor)
+            ),
+            Kind::Distance => {
+                "all would fit if its gaps were distances of the centres: 2 radii less are the gaps"
+                    .to_owned()
+            }
             Kind::Factor(factor) => format!(
-                "{names} {is} {} times what exact loads are at every gap: {fits} if divided by {}",
+                "{names} {is} {} times what {should} be at every gap{}: would fit if divided by {}",
                 number(factor),
+                hint(factor, &self.items),
                 number(factor)
             ),
             Kind::SignAndFactor(factor) => format!(
-                "{names} {fits} with the other sign and divided by {}",
+                "{names} would fit with the other sign and divided by {}",
                 number(factor.abs())
             ),
             Kind::FactorBelow(factor, below) => format!(
-                "{names} {is} {} times too large at gaps up to {} and right beyond: {fits} if divided by {} there",
+                "{names} {is} {} times what {should} be at gaps up to {} and right beyond: would fit if divided by {} there",
                 number(factor),
                 few_digits(below),
                 number(factor)
@@ -198,8 +253,8 @@ impl Fault {
             Kind::Alone => format!(
                 "{names} {is} that of a lone sphere at every gap, off by up to {percent} (gap {at})"
             ),
-            Kind::StraightLines(nodes) => format!(
-                "{names} {is} read along straight lines between about {nodes} gaps: off by up to {percent} between them (gap {at})"
+            Kind::StraightLines(_) => format!(
+                "{names} {is} on straight lines between few gaps, as in a table that is read: off by up to {percent} between them (gap {at})"
             ),
             Kind::Between => format!(
                 "{names} {is} right at the gaps of the file and off by up to {percent} between them (gap {at}): the gaps are too far apart for this interpolation"
@@ -213,12 +268,16 @@ impl Fault {
                     "lubrication is missing or far too weak in {names}: off by {percent} at gap {at}"
                 )
             }
-            Kind::Coefficient(value, truth) => format!(
-                "near contact {names} {} {} where {} belongs, in front of the singular term",
-                if self.items.len() == 1 { "has" } else { "have" },
-                number(value.abs()),
-                number(truth.abs())
-            ),
+            Kind::Coefficient(value, truth) => {
+                // Of several loads the size, whose signs alternate.
+                let sign = if value * truth < 0.0 { -1.0 } else { 1.0 };
+                format!(
+                    "near contact {names} {} {} where {} belongs, in front of the singular term",
+                    if self.items.len() == 1 { "has" } else { "have" },
+                    number(sign * value.abs()),
+                    number(truth.abs())
+                )
+            }
             Kind::Constant => format!(
                 "near contact {names} {} the right singular terms and wrong constants next to them: off by up to {percent} (gap {at})",
                 if self.items.len() == 1 { "has" } else { "have" }
@@ -229,16 +288,45 @@ impl Fault {
                 few_digits(to)
             ),
             Kind::SignAt(at, _) => format!("{names} has the wrong sign at gap {}", few_digits(at)),
-            Kind::Far(factor) => format!(
-                "far away {names} {is} {} times what the far field is",
-                number(factor)
-            ),
+            Kind::Far(_) => self.each_far(),
             Kind::Error => self.each_error(),
         }
     }
 }
 
 impl Fault {
+    /// The factors far away, one by one unless they are one.
+    fn each_far(&self) -> String {
+        let factors = || self.numbers.iter().copied();
+        let (least, most) = (
+            factors().fold(f64::INFINITY, f64::min),
+            factors().fold(0.0, f64::max),
+        );
+        if most / least - 1.0 < ONE_FACTOR {
+            let (is, should) = if self.items.len() == 1 {
+                ("is", "it should")
+            } else {
+                ("are", "they should")
+            };
+            return format!(
+                "far away {} {is} {} times what {should} be",
+                listed(&self.items),
+                number(most)
+            );
+        }
+        const MOST: usize = 4;
+        let each: Vec<String> = (self.items.iter().zip(&self.numbers).take(MOST))
+            .map(|(item, factor)| format!("{item} is {}", number(*factor)))
+            .collect();
+        let more = self.items.len().saturating_sub(MOST);
+        let more = if more > 0 {
+            format!(", {more} more")
+        } else {
+            String::new()
+        };
+        format!("far away {} times what it should be{more}", each.join(", "))
+    }
+
     /// The largest errors one by one, and how many are smaller.
     fn each_error(&self) -> String {
         const MOST: usize = 4;
@@ -262,6 +350,28 @@ impl Fault {
     }
 }
 
+/// What a factor may come from.
+fn hint(factor: f64, items: &[Item]) -> String {
+    let times = factor.max(1.0 / factor);
+    for (unit, name) in [
+        (6.0 * PI, "6 pi"),
+        (8.0 * PI, "8 pi"),
+        (4.0 * PI, "4 pi"),
+        (PI, "pi"),
+    ] {
+        if (times / unit - 1.0).abs() < 1e-3 {
+            return format!(" (a factor of {name})");
+        }
+    }
+    let is_rigid =
+        |item: &&Item| matches!(item, Item::Quantity(quantity) if quantity.mode().is_none());
+    if items.iter().filter(is_rigid).count() == 10 {
+        " (all of them: another viscosity?)".to_owned()
+    } else {
+        String::new()
+    }
+}
+
 /// A number as a person reads it.
 fn number(value: f64) -> String {
     if value.abs() < 0.01 {
@@ -277,7 +387,11 @@ fn number(value: f64) -> String {
 /// An error in per cent, with two digits.
 pub(super) fn size_percent(error: f64) -> String {
     let percent = 100.0 * error.abs();
-    if percent >= 10.0 {
+    if percent >= 1e6 || !percent.is_finite() {
+        format!("{} %", crate::numbers::size(percent))
+    } else if percent <= 0.0 {
+        "0 %".to_owned()
+    } else if percent >= 10.0 {
         format!("{percent:.0} %")
     } else if percent >= 0.1 {
         format!("{percent:.1} %")
@@ -305,6 +419,37 @@ pub(super) fn listed(items: &[Item]) -> String {
     }
 }
 
+/// Replaces the faults of both quantities of a pair, if each is that of the other sphere.
+pub(super) fn exchanged(mut faults: Vec<Fault>, items: &[(Item, Vec<Point>)]) -> Vec<Fault> {
+    let has_fault =
+        |faults: &[Fault], item: Item| faults.iter().any(|fault| fault.items.contains(&item));
+    for (item, own) in items {
+        let Item::Quantity(quantity) = *item else {
+            continue;
+        };
+        let partner = Item::Quantity(quantity.partner());
+        let Some((_, other)) = items.iter().find(|(item, _)| *item == partner) else {
+            continue;
+        };
+        let fits = |value: &Point, truth: &Point| {
+            (value.value - truth.truth).abs() <= FAULT * truth.scale
+                && value.gap.total_cmp(&truth.gap).is_eq()
+        };
+        let is_exchanged = quantity.is_own()
+            && own.len() == other.len()
+            && own
+                .iter()
+                .zip(other)
+                .all(|(own, other)| fits(own, other) && fits(other, own));
+        if is_exchanged && has_fault(&faults, *item) && has_fault(&faults, partner) {
+            faults.retain(|fault| !fault.items.contains(item) && !fault.items.contains(&partner));
+            faults.push(Fault::of(Kind::Swapped, *item, own));
+            faults.push(Fault::of(Kind::Swapped, partner, other));
+        }
+    }
+    faults
+}
+
 /// Puts like faults of several quantities together.
 pub(super) fn merged(faults: Vec<Fault>) -> Vec<Fault> {
     let mut merged: Vec<Fault> = Vec::new();
@@ -316,6 +461,7 @@ pub(super) fn merged(faults: Vec<Fault>) -> Vec<Fault> {
             Some(other) => {
                 other.items.extend(fault.items);
                 other.worst_of.extend(fault.worst_of);
+                other.numbers.extend(fault.numbers);
             }
             None => merged.push(fault),
         }
@@ -340,11 +486,7 @@ pub(super) fn of_quantity(
     tolerance: f64,
 ) -> Vec<Fault> {
     let item = Item::Quantity(quantity);
-    let fault = |kind: Kind, points: &[Point]| Fault {
-        kind,
-        items: vec![item],
-        worst_of: vec![worst(points)],
-    };
+    let fault = |kind: Kind, points: &[Point]| Fault::of(kind, item, points);
     let mut faults = Vec::new();
     let whole = whole(quantity, points, tolerance);
     if let Some(kind) = whole {
@@ -362,8 +504,8 @@ pub(super) fn of_quantity(
         faults.push(fault(Kind::Between, between));
     }
     if whole.is_none() {
-        faults.extend(far(points).map(|kind| fault(kind, points)));
-        faults.extend(signs(points).map(|kind| fault(kind, points)));
+        faults.extend(far(points, tolerance).map(|kind| fault(kind, points)));
+        faults.extend(signs(points, tolerance).map(|kind| fault(kind, points)));
     }
     faults
 }
@@ -434,7 +576,16 @@ fn whole(quantity: Quantity, points: &[Point], tolerance: f64) -> Option<Kind> {
         let [before, here, after] = [0, 1, 2].map(|k| three[k].error().abs());
         here > tolerance && here > 20.0 * before.max(after)
     };
-    let one = middles.find(|three| wrong == 1 && stands_out(three))?;
+    if wrong != 1 {
+        return None;
+    }
+    // Or the last, where errors do not begin by themselves.
+    if let [.., before, last] = points
+        && last.error().abs() > tolerance.max(20.0 * before.error().abs())
+    {
+        return Some(Kind::OneValue(last.gap));
+    }
+    let one = middles.find(|three| stands_out(three))?;
     Some(Kind::OneValue(one[1].gap))
 }
 
@@ -483,7 +634,9 @@ fn on_lines(
             let chord = of(&three[0]) * (1.0 - share) + of(&three[2]) * share;
             (of(&three[1]) - chord).abs() / of(&three[1]).abs().max(1.0)
         };
-        if off(&|point| point.value) < tolerance {
+        let is_constant =
+            (three[0].value - three[2].value).abs() <= f64::EPSILON * three[0].value.abs();
+        if off(&|point| point.value) < tolerance && !is_constant {
             all += 1;
             told += usize::from(off(&|point| point.truth) > bent);
         }
@@ -509,27 +662,35 @@ fn near_contact(contact: &Contact, points: &[Point], tolerance: f64) -> Option<K
     (contact.constant.abs() > 10.0 * tolerance).then_some(Kind::Constant)
 }
 
-/// Whether it is a constant factor off where the spheres are far from each other: where that is more than noise, which has another factor at
-/// each gap.
-fn far(points: &[Point]) -> Option<Kind> {
+/// Size of what is more than noise: that of six digits, or the error that is stated.
+fn noise(point: &Point, tolerance: f64) -> f64 {
+    if tolerance > FAULT {
+        tolerance * point.scale
+    } else {
+        NOISE
+    }
+}
+
+/// Whether it is a constant factor off where the spheres are far from each other: the same at all far gaps, or by more than could be noise.
+fn far(points: &[Point], tolerance: f64) -> Option<Kind> {
     let far = points
         .iter()
         .filter(|point| point.gap >= FAR && point.truth.abs() > FAINT);
     let far: Vec<&Point> = far.collect();
-    let [before @ .., last] = far.as_slice() else {
-        return None;
-    };
+    let (first, last) = (far.first()?, far.last()?);
     let off = |point: &Point| point.value / point.truth - 1.0;
-    let lasts = before
-        .last()
-        .is_some_and(|before| (off(before) - off(last)).abs() <= LASTING * off(last).abs());
-    let felt = (last.value - last.truth).abs() > NOISE;
-    ((lasts || felt) && off(last).abs() > FAR_OFF && off(last) > -1.0)
-        .then_some(Kind::Far(1.0 + off(last)))
+    let lasts = last.gap > 2.0 * first.gap
+        && far
+            .iter()
+            .all(|point| (off(point) - off(last)).abs() <= LASTING * off(last).abs());
+    let felt = |point: &Point| (point.value - point.truth).abs() > noise(point, tolerance);
+    // What is felt nearer and lasts, or what is felt at the last gap.
+    let is_told = (lasts && (felt(first) || tolerance <= FAULT)) || felt(last);
+    (is_told && off(last).abs() > FAR_OFF && off(last) > -1.0).then_some(Kind::Far(1.0 + off(last)))
 }
 
 /// The gaps at which it has the wrong sign, where it is no rounding error.
-fn signs(points: &[Point]) -> Option<Kind> {
+fn signs(points: &[Point], tolerance: f64) -> Option<Kind> {
     let largest = points
         .iter()
         .fold(0.0, |largest: f64, point| largest.max(point.truth.abs()));
@@ -544,6 +705,7 @@ fn signs(points: &[Point]) -> Option<Kind> {
     let wrong = points.iter().enumerate().filter(|(place, point)| {
         point.value * point.truth < 0.0
             && point.truth.abs() > (1e-3 * largest).max(FAINT)
+            && (point.value - point.truth).abs() > noise(point, tolerance)
             && !crosses(*place)
     });
     let gaps: Vec<f64> = wrong.map(|(_, point)| point.gap).collect();

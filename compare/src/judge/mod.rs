@@ -50,6 +50,8 @@ pub struct Scorecard {
     pub name: String,
     /// What it says of itself.
     pub header: Header,
+    /// Gaps at which a process has no answer, and why.
+    pub unanswered: Vec<(f64, String)>,
     /// Errors at its own gaps, calibrated if it declares a calibration.
     pub points: Vec<Point>,
     /// Errors of what is by slip without the calibration; none if it declares none.
@@ -107,12 +109,15 @@ pub fn judge(
 ) -> Result<Scorecard, CompareError> {
     let header = submitted.header().clone();
     let asked;
-    let (submission, measured) = match submitted {
-        Submitted::File(submission) => (submission, None),
+    let (submission, measured, unanswered) = match submitted {
+        Submitted::File(submission) => (submission, None, Vec::new()),
         Submitted::Process(process) => {
-            let seconds;
-            (asked, seconds) = ask(name, process)?;
-            (&asked, Some(seconds))
+            asked = ask(name, process)?;
+            (
+                &asked.submission,
+                Some(asked.seconds),
+                asked.unanswered.clone(),
+            )
         }
     };
     let answers = submission.answers();
@@ -124,6 +129,13 @@ pub fn judge(
         .flat_map(|answer| answer.values.iter().map(|(quantity, _)| quantity));
     let truth = Truth::of(given);
     let points = truth.points(&calibrated)?;
+    if points.is_empty() {
+        return Err(CompareError::input(
+            "judge",
+            name,
+            "it has no number that can be judged",
+        ));
+    }
     let raw = if header.slip_calibration.is_empty() {
         Vec::new()
     } else {
@@ -146,7 +158,12 @@ pub fn judge(
         .iter()
         .filter_map(|(item, points)| contact::fit(*item, points))
         .collect();
-    let faults = found_faults(submission, &items, &between, &contacts);
+    let mut faults = found_faults(submission, &items, &between, &contacts);
+    if !faults.is_empty()
+        && let Some(fault) = wrong_gaps(&truth, &calibrated, &points)?
+    {
+        faults = vec![fault];
+    }
     let collisions = match (theirs, options.grid) {
         (_, None) => Err("not asked for".to_owned()),
         (Err(reason), _) => Err(reason),
@@ -163,6 +180,7 @@ pub fn judge(
         seconds_per_gap: measured.or(header.seconds_per_gap),
         exact_seconds_per_gap: seconds_of(&truth, &some_gaps)?,
         header,
+        unanswered,
         points,
         raw,
         between,
@@ -225,35 +243,44 @@ pub fn referee(options: &crate::ModelOptions) -> Result<Model, CompareError> {
     Model::set_up(Method::Exact, &options)
 }
 
-/// The answers of a process at [`GAPS`], and the time that it takes for one.
-fn ask(name: &str, process: &Process) -> Result<(Submission, f64), CompareError> {
-    let range = process
-        .header()
-        .range
-        .unwrap_or([0.0, f64::INFINITY])
-        .map(|end| end / process.header().radius);
-    let within: Vec<f64> = GAPS
-        .into_iter()
-        .filter(|gap| (range[0]..=range[1]).contains(gap))
+/// The answers of a process.
+struct Asked {
+    submission: Submission,
+    /// Time of one answer.
+    seconds: f64,
+    /// Gaps without an answer, and why.
+    unanswered: Vec<(f64, String)>,
+}
+
+/// The answers of a process at [`GAPS`].
+fn ask(name: &str, process: &Process) -> Result<Asked, CompareError> {
+    let refused = |allowed: String| CompareError::input("judge", name, allowed);
+    let range = process.range();
+    let within: Vec<Gap> = (GAPS.into_iter())
+        .filter_map(|gap| Gap::new(gap).ok())
+        .filter(|gap| range.check(*gap).is_ok())
         .collect();
-    let failed = |error: SubmissionError| CompareError::input("judge", name, error.to_string());
     if within.is_empty() {
-        let allowed = format!("its range holds none of the gaps {GAPS:?}");
-        return Err(CompareError::input("judge", name, allowed));
+        return Err(refused(format!(
+            "its range holds none of the gaps {GAPS:?}"
+        )));
     }
     let progress = Progress::begin("questions", within.len(), Pieces::Alike);
-    let mut answers = Vec::new();
+    let (mut answers, mut unanswered) = (Vec::new(), Vec::new());
     let started = Instant::now();
-    for &gap in &within {
-        let answer = process.answer(Gap::new(gap)?).map_err(failed)?;
-        answers.push(Answer::clone(&answer));
+    for gap in &within {
+        match process.answer(*gap) {
+            Ok(answer) => answers.push(Answer::clone(&answer)),
+            Err(SubmissionError::NoAnswer { reason, .. }) => unanswered.push((gap.eps(), reason)),
+            Err(error) => return Err(refused(error.to_string())),
+        }
         progress.advance();
     }
-    let seconds = started.elapsed().as_secs_f64() / within.len() as f64;
-    Ok((
-        Submission::of_answers(process.header().clone(), answers),
-        seconds,
-    ))
+    Ok(Asked {
+        seconds: started.elapsed().as_secs_f64() / within.len() as f64,
+        submission: Submission::of_answers(process.header().clone(), answers),
+        unanswered,
+    })
 }
 
 fn seconds_of(truth: &Truth, gaps: &[Gap]) -> Result<f64, SceneError> {
@@ -323,7 +350,11 @@ fn missing(gaps: usize, points: &[Point]) -> Vec<Missing> {
     expected().filter_map(lacks).collect()
 }
 
-/// The faults of what is given, like ones together, and missing lubrication of what follows.
+/// How much simpler the faults of what follows must be, to be told in place of those of what is given.
+const SIMPLER: f64 = 3.0;
+
+/// The faults of what is given; or those of what follows from it, where they are far simpler: the loads of a code that answers with velocities may have
+/// one wrong coefficient, which spoils all velocities.
 fn found_faults(
     submission: &Submission,
     items: &[(Item, Vec<Point>)],
@@ -331,45 +362,104 @@ fn found_faults(
     contacts: &[Contact],
 ) -> Vec<Fault> {
     let between = points::by_item(between);
-    let of = |item: Item| {
-        between
-            .iter()
-            .find(|(other, _)| *other == item)
-            .map_or(&[][..], |(_, points)| points)
+    let of = |given: bool| {
+        let mut faults = Vec::new();
+        for (item, points) in items {
+            let Item::Quantity(quantity) = *item else {
+                continue;
+            };
+            let pick = |points: &[Point]| -> Vec<Point> {
+                points
+                    .iter()
+                    .filter(|point| point.given == given)
+                    .copied()
+                    .collect()
+            };
+            let points = pick(points);
+            if points.is_empty() {
+                continue;
+            }
+            let contact = contacts.iter().find(|contact| contact.item == *item);
+            let stated =
+                (submission.answers().iter()).filter_map(|answer| answer.errors.get(quantity));
+            let tolerance = stated.fold(FAULT, |most, error| most.max(3.0 * error));
+            let between = between.iter().find(|(other, _)| other == item);
+            let between = between.map_or(Vec::new(), |(_, points)| pick(points));
+            faults.extend(faults::of_quantity(
+                (quantity, &points),
+                &between,
+                contact,
+                tolerance,
+            ));
+        }
+        let mut faults = faults::merged(faults::exchanged(faults, items));
+        faults.sort_by(|a, b| b.worst().0.total_cmp(&a.worst().0));
+        faults
     };
-    let mut faults = Vec::new();
-    for (item, points) in items {
-        let Item::Quantity(quantity) = *item else {
-            continue;
-        };
-        let contact = contacts.iter().find(|contact| contact.item == *item);
-        let given: Vec<Point> = points.iter().filter(|point| point.given).copied().collect();
-        if given.is_empty() {
-            let missing = contact.filter(|contact| contact.is_missing());
-            faults.extend(missing.map(|_| Fault {
-                kind: Kind::NoLubrication,
-                items: vec![*item],
-                worst_of: vec![faults::worst(points)],
-            }));
+    let (mut given, follow) = (of(true), of(false));
+    let vagueness = |faults: &[Fault]| faults.iter().map(Fault::vagueness).sum::<f64>();
+    let follows_whole = items
+        .iter()
+        .filter(|(_, points)| points.iter().all(|point| !point.given))
+        .count()
+        >= 10;
+    if follows_whole && !follow.is_empty() && SIMPLER * vagueness(&follow) <= vagueness(&given) {
+        return follow;
+    }
+    // Velocities do not show by themselves that lubrication is missing.
+    if given.iter().any(|fault| fault.vagueness() > 1.0) {
+        given.extend(
+            follow
+                .into_iter()
+                .filter(|fault| fault.kind == Kind::NoLubrication),
+        );
+        given = faults::merged(given);
+        given.sort_by(|a, b| b.worst().0.total_cmp(&a.worst().0));
+    }
+    given
+}
+
+/// Factors of gaps that people give in another unit: in diameters, and twice the other way round.
+const GAP_UNITS: [f64; 2] = [2.0, 0.5];
+
+/// The one fault of a submission whose gaps are not what they should be, if all that it gives fits at other gaps.
+fn wrong_gaps(
+    truth: &Truth,
+    said: &[(Gap, Values)],
+    points: &[Point],
+) -> Result<Option<Fault>, SceneError> {
+    let mut meanings: Vec<(Kind, Box<dyn Fn(f64) -> f64>)> = Vec::new();
+    for factor in GAP_UNITS {
+        meanings.push((Kind::GapUnit(factor), Box::new(move |gap| factor * gap)));
+    }
+    meanings.push((Kind::Distance, Box::new(|gap| gap - 2.0)));
+    let items: Vec<Item> = points::by_item(points)
+        .into_iter()
+        .map(|(item, _)| item)
+        .collect();
+    for (kind, meant) in meanings {
+        let moved: Vec<(Gap, Values)> = (said.iter())
+            .filter_map(|(gap, values)| Some((Gap::new(meant(gap.eps())).ok()?, values.clone())))
+            .collect();
+        if moved.len() < said.len().max(2) {
             continue;
         }
-        let stated = (submission.answers().iter()).filter_map(|answer| answer.errors.get(quantity));
-        let tolerance = stated.fold(FAULT, |most, error| most.max(3.0 * error));
-        let between: Vec<Point> = of(*item)
+        let fits = truth.points(&moved)?;
+        if fits
             .iter()
             .filter(|point| point.given)
-            .copied()
-            .collect();
-        faults.extend(faults::of_quantity(
-            (quantity, &given),
-            &between,
-            contact,
-            tolerance,
-        ));
+            .all(|point| !point.is_beyond(FAULT))
+        {
+            let fault = Fault {
+                kind,
+                items,
+                worst_of: vec![faults::worst(points)],
+                numbers: vec![kind.number()],
+            };
+            return Ok(Some(fault));
+        }
     }
-    let mut merged = faults::merged(faults);
-    merged.sort_by(|a, b| b.worst().0.total_cmp(&a.worst().0));
-    merged
+    Ok(None)
 }
 
 #[cfg(test)]

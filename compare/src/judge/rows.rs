@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::points::{Item, Point, TRUST, by_item, trusted_down_to};
+use super::points::{Point, TRUST, by_item, trusted_down_to};
 use super::{LeaderRow, Scorecard, faults};
 use crate::columns::columns;
 use crate::numbers::{few_digits, size, written};
@@ -33,7 +33,7 @@ columns! {
 pub const MEASURES: [(&str, &str); 33] = [
     (
         "error",
-        "error at a gap of its own, divided by the larger of the exact number and its value of a lone sphere (1 for scalars, 4 for the thrusts, 2/3 for velocities by slip);                of an approach speed by the exact speed",
+        "error at a gap of its own, divided by the larger of the exact number and its value of a lone sphere (1 for scalars, 4 for the thrusts, 2/3 for velocities by slip); of an approach speed by the exact speed",
     ),
     (
         "relative_error",
@@ -71,7 +71,7 @@ pub const MEASURES: [(&str, &str); 33] = [
     ),
     (
         "law",
-        "of a matrix: the largest differences of entries that reciprocity, or two equal spheres, make equal; and smallest eigenvalues of mobilities (1 of lone spheres,              never negative)",
+        "of a matrix: the largest differences of entries that reciprocity, or two equal spheres, make equal; and smallest eigenvalues of mobilities (1 of lone spheres, never negative)",
     ),
     (
         "contact_term",
@@ -272,11 +272,11 @@ impl Scorecard {
             );
         }
         for fault in &self.faults {
-            for item in &fault.items {
+            for (item, number) in fault.items.iter().zip(&fault.numbers) {
                 table.add(
                     "fault",
                     format!("{}: {item}", fault.kind.name()),
-                    fault.kind.number(),
+                    *number,
                     "-",
                 );
             }
@@ -369,17 +369,16 @@ impl Scorecard {
         trusted_down_to(self.points.iter().chain(&self.between), bound)
     }
 
-    /// What spoils trust at a bound: the item with the largest gap at which its error is beyond it.
+    /// What spoils trust at a bound: the point at the largest gap at which an error is beyond it.
     #[must_use]
-    pub fn spoiled_by(&self, bound: f64) -> Option<(Item, f64, f64)> {
+    pub fn spoiled_by(&self, bound: f64) -> Option<Point> {
         let all = self.points.iter().chain(&self.between);
         let broken = all.filter(|point| point.is_beyond(bound));
         let first = broken.max_by(|a, b| {
-            a.gap
-                .total_cmp(&b.gap)
-                .then(a.error().abs().total_cmp(&b.error().abs()))
-        })?;
-        Some((first.item, first.gap, first.error()))
+            let errors = a.error().abs().total_cmp(&b.error().abs());
+            a.gap.total_cmp(&b.gap).then(errors)
+        });
+        first.copied()
     }
 
     /// Its largest error at its gaps, with item and gap.

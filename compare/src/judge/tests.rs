@@ -111,7 +111,7 @@ fn val_each_broken_copy_of_exact_loads_is_told_apart_by_name() {
     assert_relative_eq!(factor, 1.02, epsilon = 1e-9);
     assert!((0.04..0.05).contains(&below));
     assert!(
-        verdict(&card).contains("X11A is 1.02 times too large"),
+        verdict(&card).contains("X11A is 1.02 times what it should be"),
         "{}",
         verdict(&card)
     );
@@ -201,7 +201,7 @@ fn val_each_broken_copy_of_exact_loads_is_told_apart_by_name() {
             .unwrap()
     }));
     assert!(
-        verdict(&card).contains("read along straight lines"),
+        verdict(&card).contains("on straight lines between few gaps"),
         "{}",
         verdict(&card)
     );
@@ -221,7 +221,7 @@ fn one_wrong_value_and_a_wrong_far_field_are_told() {
     assert_eq!(named(&card), [("one wrong value", vec!["Y12C".to_owned()])]);
     assert!(verdict(&card).contains(&format!("at gap {}", few_digits(typing))));
     let card = judged(file("", &all, |gap, name, value| {
-        if name == "X12A" && gap > 20.0 {
+        if name == "X12A" && gap > 7.5 {
             1.5 * value
         } else {
             value
@@ -331,5 +331,136 @@ fn the_page_lists_the_measures_and_the_faults_as_they_are() {
             "{}",
             row.measure
         );
+    }
+}
+
+#[test]
+fn val_exchanged_spheres_and_other_units_of_the_gap_are_told() {
+    let exact = Exact::new();
+    let truth = |gap: f64, name: &str| {
+        let loads = exact.loads(Gap::new(gap).unwrap(), ALL).unwrap();
+        loads
+            .named()
+            .into_iter()
+            .find(|(other, _)| other == name)
+            .unwrap()
+            .1
+    };
+    let card = judged(file("", &gaps(), |gap, name, value| match name {
+        "Y11C" => truth(gap, "Y12C"),
+        "Y12C" => truth(gap, "Y11C"),
+        _ => value,
+    }));
+    assert_eq!(
+        named(&card),
+        [(
+            "spheres exchanged",
+            vec!["Y11C".to_owned(), "Y12C".to_owned()]
+        )]
+    );
+    // Half of each gap, as in diameters.
+    let card = judged(file("", &gaps(), |gap, name, _| truth(2.0 * gap, name)));
+    assert_eq!(card.faults.len(), 1);
+    assert_eq!(card.faults[0].kind, Kind::GapUnit(2.0));
+    assert!(
+        verdict(&card).contains("its gaps were multiplied by 2"),
+        "{}",
+        verdict(&card)
+    );
+    let far: Vec<f64> = gaps().into_iter().filter(|gap| *gap > 2.1).collect();
+    let card = judged(file("", &far, |gap, name, _| truth(gap - 2.0, name)));
+    assert_eq!(card.faults[0].kind, Kind::Distance);
+}
+
+#[test]
+fn val_a_fault_of_loads_is_told_of_a_code_that_answers_with_velocities() {
+    let as_velocities = |loads: Submission| {
+        let answers = loads.answers().iter().map(|answer| Answer {
+            values: crate::submission::derived(&answer.values),
+            ..answer.clone()
+        });
+        Submission::of_answers(loads.header().clone(), answers.collect())
+    };
+    let card = judged(as_velocities(file("", &gaps(), |_, name, value| {
+        if name == "Y11B" { -value } else { value }
+    })));
+    assert_eq!(named(&card), [("wrong sign", vec!["Y11B".to_owned()])]);
+    let card = judged(as_velocities(file("", &gaps(), |gap, name, value| {
+        let off = 0.75 * gap.ln().min(0.0);
+        match name {
+            _ if name.starts_with("XF1") => value + off,
+            _ if name.starts_with("XF2") => value - off,
+            _ => value,
+        }
+    })));
+    assert_eq!(card.faults.len(), 1, "{:?}", named(&card));
+    assert!(
+        verdict(&card).contains("have 2.25 where 3 belongs"),
+        "{}",
+        verdict(&card)
+    );
+    // Twice too mobile: one cause, and no lubrication is missing.
+    let mobile = as_velocities(file("", &gaps(), |_, _, value| value));
+    let answers = mobile.answers().iter().map(|answer| {
+        let mut values = answer.values.clone();
+        for (quantity, value) in answer
+            .values
+            .iter()
+            .filter(|(quantity, _)| quantity.mode().is_none())
+        {
+            values.set(quantity, 2.0 * value);
+        }
+        Answer {
+            values,
+            ..answer.clone()
+        }
+    });
+    let card = judged(Submission::of_answers(
+        mobile.header().clone(),
+        answers.collect(),
+    ));
+    assert_eq!(card.faults.len(), 1, "{:?}", named(&card));
+    assert!(
+        verdict(&card).contains("another viscosity?"),
+        "{}",
+        verdict(&card)
+    );
+}
+
+#[test]
+fn noise_is_no_far_field_and_a_stated_error_is_no_fault() {
+    let far: Vec<f64> = (0..60)
+        .map(|k| 1e-3 * 10_f64.powf(f64::from(k) / 12.0))
+        .collect();
+    let mut state = 1_u64;
+    for size in [1e-6, 1e-4] {
+        for _ in 0..6 {
+            let mut noise = || {
+                state = state
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1);
+                (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+            };
+            let mut submission = file("", &far, |_, _, value| value);
+            let answers: Vec<Answer> = (submission.answers().iter())
+                .map(|answer| {
+                    let (mut values, mut errors) = (Values::default(), Values::default());
+                    for (quantity, value) in answer.values.iter() {
+                        values.set(quantity, value + size * noise() * value.abs().max(1.0));
+                        if size > 1e-6 {
+                            errors.set(quantity, size);
+                        }
+                    }
+                    Answer {
+                        values,
+                        errors,
+                        ..answer.clone()
+                    }
+                })
+                .collect();
+            submission = Submission::of_answers(submission.header().clone(), answers);
+            let card = judged(submission);
+            assert!(card.is_faultless(), "{}", verdict(&card));
+        }
     }
 }

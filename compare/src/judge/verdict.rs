@@ -1,10 +1,20 @@
 //! The verdict in words.
 
 use super::faults::{listed, size_percent};
-use super::points::{Item, TRUST};
+use super::points::{Item, Point, TRUST};
 use super::{FAR_GAP, Scorecard};
 use crate::numbers::{few_digits, rounded, written};
 use crate::submission::Interpolation;
+
+/// The name of what a point is of, and whether it was given.
+fn named(point: &Point) -> String {
+    match point.item {
+        Item::Quantity(_) if !point.given => {
+            format!("{}, which follows from what it gives,", point.item)
+        }
+        item => item.to_string(),
+    }
+}
 
 /// Most sentences on faults.
 const MOST_FAULTS: usize = 12;
@@ -39,7 +49,6 @@ impl Scorecard {
             });
             lines.push(format!("No fault found in what it gives{worst}."));
         }
-        lines.extend(self.law_sentences());
         for fault in self.faults.iter().take(MOST_FAULTS) {
             lines.push(format!(
                 "Fault ({}): {}.",
@@ -49,9 +58,11 @@ impl Scorecard {
         }
         let more = self.faults.len().saturating_sub(MOST_FAULTS);
         if more > 0 {
-            lines.push(format!("{more} more faults are in the table."));
+            lines.push(format!("More faults are in the table: {more}."));
         }
+        lines.extend(self.law_sentences());
         lines.extend(self.far_sentences());
+        lines.extend(self.how_it_was_read());
         lines.extend(self.collision_sentences());
         lines.extend(self.what_is_left_out());
         lines
@@ -66,13 +77,14 @@ impl Scorecard {
                     "within {percent} at all its gaps, down to {}",
                     few_digits(gap)
                 ),
-                (Some(gap), Some((item, ..))) => {
+                (Some(gap), Some(first)) => {
                     format!(
-                        "within {percent} down to a gap of {} ({item} is first to fail)",
-                        few_digits(gap)
+                        "within {percent} down to a gap of {} ({} is first to fail)",
+                        few_digits(gap),
+                        named(&first)
                     )
                 }
-                (None, Some((item, ..))) => format!("nowhere within {percent} ({item})"),
+                (None, Some(first)) => format!("nowhere within {percent} ({})", named(&first)),
                 (None, None) => "without a number that is scored".to_owned(),
             });
             // Then it is within all larger bounds.
@@ -89,12 +101,12 @@ impl Scorecard {
             let at = few_digits(law.gap);
             lines.push(match law.name {
                 "reciprocity" => format!(
-                    "Law broken (reciprocity): the matrix is not symmetric: entries {} differ by {} at gap {at} (a lone sphere has 1).",
+                    "Law broken (reciprocity): the matrix is not symmetric: entries {} differ by {} at gap {at} (relative to the larger of them and 1, the entry of a lone sphere).",
                     law.entries,
                     rounded(law.value, 4)
                 ),
                 "equal spheres" => format!(
-                    "Law broken (equal spheres): the two spheres are not alike, or x is not like y: entries {} differ by {} at gap {at} (a lone sphere has 1).",
+                    "Law broken (equal spheres): the two spheres are not alike, or x is not like y: entries {} differ by {} at gap {at} (relative to the larger of them and 1, the entry of a lone sphere).",
                     law.entries,
                     rounded(law.value, 4)
                 ),
@@ -108,10 +120,13 @@ impl Scorecard {
             .map(|(gap, _)| *gap)
             .collect();
         if let (Some(first), Some(last)) = (negative.first(), negative.last()) {
+            let at = if first < last {
+                format!("gaps from {} to {}", few_digits(*first), few_digits(*last))
+            } else {
+                format!("gap {}", few_digits(*first))
+            };
             lines.push(format!(
-                "Law broken (positive definite): the mobility is not positive definite at gaps from {} to {}.",
-                few_digits(*first),
-                few_digits(*last)
+                "Law broken (positive definite): the mobility is not positive definite at {at}."
             ));
         }
         let unbalanced: Vec<&str> = (self.third_law.iter())
@@ -252,7 +267,8 @@ impl Scorecard {
         lines
     }
 
-    fn what_is_left_out(&self) -> Vec<String> {
+    /// How it was read between its gaps.
+    fn how_it_was_read(&self) -> Vec<String> {
         let mut lines = Vec::new();
         match self.header.interpolation {
             Some(Interpolation::None) => lines.push(
@@ -274,7 +290,19 @@ impl Scorecard {
             }
             None => {}
         }
-        if !self.header.slip_calibration.is_empty() {
+        lines
+    }
+
+    fn what_is_left_out(&self) -> Vec<String> {
+        let mut lines = Vec::new();
+        if let Some((gap, reason)) = self.unanswered.first() {
+            lines.push(format!(
+                "It has no answer at {} of the gaps that it was asked for, first at {}: {reason}.",
+                self.unanswered.len(),
+                few_digits(*gap)
+            ));
+        }
+        if !self.raw.is_empty() {
             let factors: Vec<String> = self
                 .header
                 .slip_calibration

@@ -47,7 +47,7 @@ pub enum SubmissionError {
         what: String,
     },
     /// A row with more or fewer fields than the header line of the columns.
-    #[error("line {line}: {fields} fields are not allowed: there are {allowed} columns")]
+    #[error("line {line}: fields: {fields} are not allowed: there are {allowed} columns")]
     Fields {
         /// Line of the row, from 1.
         line: u64,
@@ -173,7 +173,7 @@ pub enum SubmissionError {
         gap: f64,
     },
     /// Fewer gaps than the interpolation needs.
-    #[error("{gaps} different gaps are too few: at least {needed} are needed to move a pair")]
+    #[error("too few gaps ({gaps}): at least {needed} are needed to move a pair")]
     FewGaps {
         /// Number of gaps.
         gaps: usize,
@@ -206,6 +206,26 @@ pub enum SubmissionError {
     NotHeld {
         /// The quantity.
         name: String,
+    },
+    /// A gap that is too small or too large.
+    #[error("gap {gap:?} (radii) is not allowed: give gaps from {smallest:e} to {largest:e}")]
+    Gap {
+        /// The gap, in radii.
+        gap: f64,
+        /// Smallest allowed.
+        smallest: f64,
+        /// Largest allowed.
+        largest: f64,
+    },
+    /// A gap at which a process says that it has no answer.
+    #[error("process '{command}': it has no answer at the gap {gap:?}: {reason}")]
+    NoAnswer {
+        /// The command.
+        command: String,
+        /// The gap, in the unit of its radius.
+        gap: f64,
+        /// What it says.
+        reason: String,
     },
     /// What a process did instead of answering.
     #[error("process '{command}': {what}")]

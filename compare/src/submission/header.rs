@@ -138,8 +138,22 @@ impl Header {
     /// # Errors
     /// [`SubmissionError::Header`] with the first mistake.
     pub fn parse(text: &str) -> Result<Self, SubmissionError> {
-        let header: Self = toml::from_str(text).map_err(|error| SubmissionError::Header {
-            what: shown(&error.message().replace('\n', " "), 200),
+        let header: Self = toml::from_str(text).map_err(|error| {
+            let message = shown(&error.message().replace('\n', " "), 200);
+            // The line that it is about.
+            let line = error.span().map(|span| {
+                let begins = text.get(..span.start).and_then(|before| before.rfind('\n'));
+                let line = text
+                    .get(begins.map_or(0, |at| at + 1)..)
+                    .unwrap_or_default();
+                shown(line.lines().next().unwrap_or_default().trim(), 60)
+            });
+            SubmissionError::Header {
+                what: match line {
+                    Some(line) => format!("{message} in '{line}'"),
+                    None => message,
+                },
+            }
         })?;
         header.check()
     }

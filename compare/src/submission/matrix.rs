@@ -135,12 +135,12 @@ pub(super) struct Matrix {
     pub slip: BTreeMap<Slip, [f64; SIZE]>,
 }
 
-/// Laws that a matrix breaks by itself, at one gap: sizes of what is wrong, in the units of the scalars (which are 1 of lone spheres).
+/// Laws that a matrix breaks by itself, at one gap, in the units of the scalars, which are 1 of lone spheres; differences are relative to the larger of the two entries and 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MatrixLaws {
     /// Largest difference of two entries that reciprocity makes equal, and these entries.
     pub asymmetry: (f64, String),
-    /// The same of entries that are equal because the spheres are, and because nothing tells x from y.
+    /// The same of entries that are equal because the spheres are, and because nothing tells x from y; slip columns among them.
     pub images: (f64, String),
     /// Smallest eigenvalue of the symmetric part.
     pub smallest_eigenvalue: f64,
@@ -212,8 +212,11 @@ impl Matrix {
             }
         }
         let mut values = Values::default();
+        // What is said twice stands as it is said first.
         let mut put = |name: &str, value: f64| {
-            if let Some(quantity) = Quantity::named(name) {
+            if let Some(quantity) = Quantity::named(name)
+                && values.get(quantity).is_none()
+            {
                 values.set(quantity, value);
             }
         };
@@ -251,52 +254,126 @@ impl Matrix {
                 put(&name, value);
             }
         }
-        Ok((values, laws(&scalars, kind)))
+        let mut laws = laws(&scalars, kind);
+        for (slip, column) in &self.slip {
+            slip.compare(column, (header, kind), &values, &mut laws.images);
+        }
+        Ok((values, laws))
     }
 }
 
 impl Slip {
-    /// What a column says. Of two columns that say the same the later one stands.
+    /// From this squirmer to the other one `d` is z or -z; `t` is x, so that `d x t` is y or -y.
+    fn side(self) -> f64 {
+        if self.squirmer == 0 { 1.0 } else { -1.0 }
+    }
+
+    /// `P_n(c)` and `W_n(c) p_t`.
+    fn factors(self) -> Option<[f64; 2]> {
+        let [across, along] = self.axis.orientation();
+        let order = legendre(self.side() * along).nth(self.mode - 1)?;
+        Some([order.p, order.w * across])
+    }
+
+    /// The names of what is along `d`, along `t` and about `d x t`, and their units.
+    fn kinds(header: &Header, kind: MatrixKind) -> [(&'static str, f64); 3] {
+        let (a, mu) = (header.radius, header.viscosity);
+        let force = PI * mu * a;
+        match kind {
+            MatrixKind::Mobility => [("UX", 1.0), ("UY", 1.0), ("OY", 1.0 / a)],
+            MatrixKind::Resistance => [("XF", force), ("YF", force), ("YT", force * a)],
+        }
+    }
+
+    /// The part of a column that is along `d`, along `t` or about `d x t`, by its place in [`Self::kinds`], of a sphere: row and sign.
+    fn place(self, part: usize, sphere: usize) -> (usize, f64) {
+        match part {
+            0 => (2 + 3 * sphere, self.side()),
+            1 => (3 * sphere, 1.0),
+            _ => (7 + 3 * sphere, self.side()),
+        }
+    }
+
+    /// What a column says.
     fn quantities(
-        &self,
+        self,
         column: &[f64; SIZE],
         header: &Header,
         kind: MatrixKind,
     ) -> Vec<(String, f64)> {
-        let (a, mu) = (header.radius, header.viscosity);
-        // From this squirmer to the other one, d is z or -z; t is x, so that d x t is y or -y.
-        let side = if self.squirmer == 0 { 1.0 } else { -1.0 };
-        let [across, along] = self.axis.orientation();
-        let Some(order) = legendre(side * along).nth(self.mode - 1) else {
+        let Some([along, across]) = self.factors() else {
             return Vec::new();
-        };
-        let names = match kind {
-            MatrixKind::Mobility => ["UX", "UY", "OY"],
-            MatrixKind::Resistance => ["XF", "YF", "YT"],
-        };
-        let units = match kind {
-            MatrixKind::Mobility => [1.0, 1.0, 1.0 / a],
-            MatrixKind::Resistance => [PI * mu * a, PI * mu * a, PI * mu * a * a],
         };
         let mut quantities = Vec::new();
         for (sphere, number) in [(self.squirmer, 1), (1 - self.squirmer, 2)] {
-            let at = |row: usize| column[row + 3 * sphere];
-            let transverse = order.w * across;
-            let parts = [
-                (side * at(2), order.p, self.axis == Axis::Z),
-                (at(0), transverse, transverse.abs() > 0.1),
-                (side * at(7), transverse, transverse.abs() > 0.1),
-            ];
-            for ((name, unit), (part, factor, is_read)) in names.into_iter().zip(units).zip(parts) {
+            for (part, (name, unit)) in Self::kinds(header, kind).into_iter().enumerate() {
+                let (row, sign) = self.place(part, sphere);
+                let factor = if part == 0 { along } else { across };
+                let is_read = if part == 0 {
+                    self.axis == Axis::Z
+                } else {
+                    factor.abs() > 0.1
+                };
                 if is_read {
-                    quantities.push((
-                        format!("{name}{number}_{}", self.mode),
-                        part / (factor * unit),
-                    ));
+                    let value = sign * column[row] / (factor * unit);
+                    quantities.push((format!("{name}{number}_{}", self.mode), value));
                 }
             }
         }
         quantities
+    }
+
+    /// Notes the largest difference of a column from what the quantities make of it: both squirmers are alike, and all orientations belong together.
+    fn compare(
+        self,
+        column: &[f64; SIZE],
+        (header, kind): (&Header, MatrixKind),
+        values: &Values,
+        worst: &mut (f64, String),
+    ) {
+        let Some([along, across]) = self.factors() else {
+            return;
+        };
+        let kinds = Self::kinds(header, kind);
+        let mut expected = [Some(0.0); SIZE];
+        for (sphere, number) in [(self.squirmer, 1), (1 - self.squirmer, 2)] {
+            for (part, (name, _)) in kinds.into_iter().enumerate() {
+                let (row, sign) = self.place(part, sphere);
+                let quantity = Quantity::named(&format!("{name}{number}_{}", self.mode));
+                let value = quantity.and_then(|quantity| values.get(quantity));
+                let factor = if part == 0 { along } else { across };
+                expected[row] = if factor.abs() > 1e-9 {
+                    value.map(|value| sign * factor * value)
+                } else {
+                    Some(0.0)
+                };
+            }
+        }
+        for (row, expected) in expected.into_iter().enumerate() {
+            let unit = if is_force(row) {
+                kinds[0].1
+            } else {
+                kinds[2].1
+            };
+            let found = column[row] / unit;
+            if let Some(expected) = expected {
+                note(worst, [found, expected], || {
+                    format!(
+                        "({}, {}) and what the other slip columns make of it",
+                        row + 1,
+                        Column::Slip(self)
+                    )
+                });
+            }
+        }
+    }
+}
+
+/// Notes the difference of two numbers that should be one, relative to the larger of them and 1, if it is the largest.
+fn note(worst: &mut (f64, String), [one, other]: [f64; 2], names: impl FnOnce() -> String) {
+    let difference = (one - other).abs() / one.abs().max(other.abs()).max(1.0);
+    if difference > worst.0 {
+        *worst = (difference, names());
     }
 }
 
@@ -304,11 +381,10 @@ fn laws(scalars: &SMatrix<f64, SIZE, SIZE>, kind: MatrixKind) -> MatrixLaws {
     let mut asymmetry = (0.0, String::new());
     let mut images = (0.0, String::new());
     let note = |worst: &mut (f64, String), [one, other]: [(usize, usize); 2], sign: f64| {
-        let difference = (scalars[one] - sign * scalars[other]).abs();
-        if difference > worst.0 {
-            let entry = |(row, column): (usize, usize)| format!("({}, {})", row + 1, column + 1);
-            *worst = (difference, format!("{} and {}", entry(one), entry(other)));
-        }
+        let entry = |(row, column): (usize, usize)| format!("({}, {})", row + 1, column + 1);
+        note(worst, [scalars[one], sign * scalars[other]], || {
+            format!("{} and {}", entry(one), entry(other))
+        });
     };
     for (i, turned_i) in TURNED.into_iter().enumerate() {
         for (j, turned_j) in TURNED.into_iter().enumerate() {

@@ -41,6 +41,9 @@ const LARGEST_FILE: u64 = 32 << 20;
 /// Time that an answer of a process may take.
 pub const ANSWER_LIMIT: Duration = Duration::from_secs(60);
 
+/// Gaps that are judged, in radii.
+pub const GAP_RANGE: [f64; 2] = [1e-12, 1e9];
+
 /// Most gaps of a submission.
 const MOST_GAPS: usize = 5000;
 
@@ -309,10 +312,7 @@ fn by_gap<T: Ord + Copy>(
     for row in rows {
         if row.gap.total_cmp(&last).is_ne() {
             last = row.gap;
-            let gap =
-                Gap::new(row.gap / header.radius).map_err(|error| SubmissionError::Header {
-                    what: format!("with radius {:?}, {error}", header.radius),
-                })?;
+            let gap = allowed_gap(row.gap / header.radius)?;
             groups.push((gap, Vec::new()));
         }
         if let Some((_, group)) = groups.last_mut() {
@@ -323,6 +323,20 @@ fn by_gap<T: Ord + Copy>(
         return Err(SubmissionError::Empty);
     }
     Ok(groups)
+}
+
+/// A gap within [`GAP_RANGE`].
+fn allowed_gap(gap: f64) -> Result<Gap, SubmissionError> {
+    let [smallest, largest] = GAP_RANGE;
+    let refused = SubmissionError::Gap {
+        gap,
+        smallest,
+        largest,
+    };
+    let allowed = Gap::new(gap)
+        .ok()
+        .filter(|_| gap >= smallest && gap <= largest);
+    allowed.ok_or(refused)
 }
 
 fn of_named(rows: Vec<Row<Quantity>>, header: &Header) -> Result<Vec<Answer>, SubmissionError> {

@@ -44,8 +44,8 @@ pub struct SubmittedModel {
     nodes: Vec<f64>,
     /// Place of each pair of quantities among those held, if it is there at every gap.
     places: Vec<Option<usize>>,
-    /// For each pair that is not held, a gap at which only some of the others have it.
-    partly: Vec<Option<(Quantity, f64)>>,
+    /// For each pair that is not held, which of the two is missing, and at which gap if others have it.
+    lacked: Vec<Option<(Quantity, Option<f64>)>>,
     /// Number of pairs held.
     held: usize,
     /// Interval by interval, pair by pair: sum and difference.
@@ -90,7 +90,7 @@ impl SubmittedModel {
             interpolation: header.interpolation,
             nodes: Vec::new(),
             places: vec![None; PAIRS],
-            partly: vec![None; PAIRS],
+            lacked: vec![None; PAIRS],
             held: 0,
             cubics: Vec::new(),
             errors: Vec::new(),
@@ -129,14 +129,15 @@ impl SubmittedModel {
                     self.held += 1;
                 }
                 missing => {
-                    let anywhere = |of: &Quantity| {
-                        answers
-                            .iter()
-                            .any(|answer| answer.values.get(*of).is_some())
-                    };
-                    let missing = both.into_iter().zip(missing).filter(|(of, _)| anywhere(of));
-                    let mut partly = missing.filter_map(|(of, at)| Some((of, at?.gap.eps())));
-                    self.partly[pair] = partly.next();
+                    let has = |answer: &Answer, of: Quantity| answer.values.get(of).is_some();
+                    let first = both
+                        .into_iter()
+                        .zip(missing)
+                        .find_map(|(of, at)| Some((of, at?)));
+                    self.lacked[pair] = first.map(|(of, at)| {
+                        let elsewhere = answers.iter().any(|answer| has(answer, of));
+                        (of, elsewhere.then(|| at.gap.eps()))
+                    });
                 }
             }
         }
@@ -304,14 +305,11 @@ impl SubmittedModel {
         let needed = sources.unwrap_or_else(|| vec![load]);
         let pair = needed.into_iter().find(|&pair| self.places[pair].is_none());
         let pair = pair.unwrap_or(load);
-        let error = match &self.partly[pair] {
-            Some((quantity, gap)) => SubmissionError::Missing {
-                name: quantity.name().to_owned(),
-                gap: *gap,
-            },
-            None => SubmissionError::NotHeld {
-                name: Quantity(2 * pair).name().to_owned(),
-            },
+        let (quantity, gap) = self.lacked[pair].unwrap_or((Quantity(2 * pair), None));
+        let name = quantity.name().to_owned();
+        let error = match gap {
+            Some(gap) => SubmissionError::Missing { name, gap },
+            None => SubmissionError::NotHeld { name },
         };
         SceneError::from_model("loads from a file", error)
     }

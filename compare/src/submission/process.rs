@@ -244,10 +244,17 @@ impl Process {
         &self.header
     }
 
+    /// Gaps for which it answers, in radii.
+    #[must_use]
+    pub fn range(&self) -> GapRange {
+        self.range
+    }
+
     /// The answer at `gap`, asked for once.
     ///
     /// # Errors
-    /// [`SubmissionError::Process`], also for a gap outside its range, for which it is not asked.
+    /// [`SubmissionError::NoAnswer`] if it says that it has none; [`SubmissionError::Process`] if it does not answer as it should, also for a gap outside its
+    /// range, for which it is not asked.
     pub fn answer(&self, gap: Gap) -> Result<Arc<Answer>, SubmissionError> {
         if let Err(outside) = self.range.check(gap) {
             return Err(failure(&self.command, outside.to_string()));
@@ -267,11 +274,17 @@ impl Process {
             // The units may take it out by rounding.
             asked = asked.clamp(smallest, largest);
         }
-        let answer = talk
-            .ask(Question::Pair { gap: asked }, self.limit, |said| {
-                understood(&self.header, gap, asked, said)
-            })
-            .map_err(|what| failure(&self.command, what))?;
+        let answer = talk.ask(Question::Pair { gap: asked }, self.limit, |said| {
+            understood(&self.header, gap, asked, said)
+        });
+        let answer = answer.map_err(|what| match talk.over {
+            Some(_) => failure(&self.command, what),
+            None => SubmissionError::NoAnswer {
+                command: shown(&self.command, 60),
+                gap: asked,
+                reason: what,
+            },
+        })?;
         let answer = Arc::new(answer);
         let mut answers = locked(&self.answers);
         if answers.len() >= MOST_KEPT {
@@ -331,10 +344,7 @@ fn understood(header: &Header, gap: Gap, asked: f64, said: PairAnswer) -> Result
         ));
     }
     if let Some(error) = said.error {
-        return Err(Here(format!(
-            "it has no answer at the gap {asked:?}: {}",
-            shown(&error, 120)
-        )));
+        return Err(Here(shown(&error, 120)));
     }
     let too_large = |error: SubmissionError| Over(error.to_string());
     if said.matrix.is_empty() {

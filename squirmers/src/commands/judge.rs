@@ -8,6 +8,7 @@ use compare::numbers::{parse_number, parse_whole, rounded};
 use compare::output::csv_text;
 use compare::study::maps::Grid;
 use compare::submission::Submitted;
+use compare::{CompareError, Method};
 use serde::Serialize;
 
 use crate::arguments::GeneralArguments;
@@ -64,6 +65,11 @@ pub(super) fn run(
                 "the name is there twice: give each model its own".to_owned(),
             ));
         }
+        let checked = Method::check(name);
+        checked.map_err(|error| match error {
+            CompareError::Input { allowed, .. } => refused(allowed),
+            other => other.into(),
+        })?;
         let submitted = Submitted::open(source, limit);
         let submitted =
             submitted.map_err(|error| CommandError::input("judge", name, error.to_string()))?;

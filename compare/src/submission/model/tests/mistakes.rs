@@ -22,7 +22,7 @@ fn every_mistake_in_a_file_is_told_in_one_line() {
     };
     let huge = of_values(&[0.1, 0.2, 0.5, 1.0], |gap| 1e308 * (0.3 - gap).signum());
     // Two gaps with the same logarithm.
-    let close = of_values(&[0.1, 0.2, 0.5, 1e300, 1e300_f64.next_up()], |gap| gap);
+    let close = of_values(&[0.1, 0.2, 0.5, 1e8, 1e8_f64.next_up()], |gap| gap);
     for (text, message) in [
         (
             String::new(),
@@ -39,7 +39,7 @@ fn every_mistake_in_a_file_is_told_in_one_line() {
         (HEADER.to_owned(), "the file has no rows"),
         (
             with("mine,1"),
-            "line 18: 2 fields are not allowed: there are 5 columns",
+            "line 18: fields: 2 are not allowed: there are 5 columns",
         ),
         (
             with("mine,0,X11A,1,"),
@@ -85,10 +85,7 @@ fn every_mistake_in_a_file_is_told_in_one_line() {
             with("yours,2,X11A,1,"),
             "the file has loads of several methods: 'mine', 'yours'; keep",
         ),
-        (
-            without(",0.5,"),
-            "3 different gaps are too few: at least 4 are needed",
-        ),
+        (without(",0.5,"), "too few gaps (3): at least 4 are needed"),
         (
             huge,
             "X11A cannot be interpolated: its values are too large, or gaps too close to each other",
