@@ -121,6 +121,34 @@ pub(super) fn fit(item: Item, points: &[Point]) -> Option<Contact> {
     })
 }
 
+/// Largest gap at which a logarithm is told by itself.
+const LOG: f64 = 0.6;
+
+/// The factor of the logarithm of a load, and the true one, if a wrong factor is all that is wrong near contact: then the difference is a multiple of the
+/// logarithm at each gap, and a few gaps are enough.
+pub(super) fn log_alone(item: Item, points: &[Point], tolerance: f64) -> Option<(f64, f64)> {
+    /// Largest deviation from one multiple.
+    const SAME: f64 = 0.01;
+    let Item::Quantity(quantity) = item else {
+        return None;
+    };
+    if diverges(quantity.name())? || !quantity.is_load() {
+        return None;
+    }
+    let near = points.iter().filter(|point| point.gap <= LOG);
+    let multiples: Vec<f64> = near
+        .map(|point| (point.value - point.truth) / -point.gap.ln())
+        .collect();
+    let [first, _, ..] = multiples.as_slice() else {
+        return None;
+    };
+    let is_one = multiples
+        .iter()
+        .all(|multiple| (multiple / first - 1.0).abs() <= SAME);
+    let truth = factor(quantity.name(), false)?;
+    (is_one && first.abs() > 10.0 * tolerance).then_some((truth + first, truth))
+}
+
 /// Sums of singular terms that cancel because lubrication acts on both spheres with opposite forces: the names of the loads, their factors, and the value.
 pub(super) fn third_law(contacts: &[Contact]) -> Vec<(String, f64)> {
     let of = |name: &str| {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::contact::Contact;
+use super::contact::{self, Contact};
 use super::points::{Item, Point};
 use crate::numbers::{few_digits, rounded};
 use crate::submission::Quantity;
@@ -223,7 +223,7 @@ impl Fault {
                 format!("{names} would fit if those of the two spheres were exchanged")
             }
             Kind::GapUnit(factor) => format!(
-                "all would fit if its gaps were multiplied by {}: are they in another unit than the radius?",
+                "all would fit if its gaps were multiplied by {}: they are in another unit than the radius",
                 number(factor)
             ),
             Kind::Distance => {
@@ -450,6 +450,44 @@ pub(super) fn exchanged(mut faults: Vec<Fault>, items: &[(Item, Vec<Point>)]) ->
     faults
 }
 
+/// Adds to a fault with one factor the items that fit with the same factor, and were told otherwise because the other sphere is felt at too few of their gaps.
+pub(super) fn joined(mut faults: Vec<Fault>, items: &[(Item, Vec<Point>)]) -> Vec<Fault> {
+    let factors: Vec<(usize, f64)> = (faults.iter().enumerate())
+        .filter_map(|(place, fault)| match fault.kind {
+            Kind::Factor(factor) | Kind::SignAndFactor(factor) => Some((place, factor)),
+            Kind::Sign => Some((place, -1.0)),
+            _ => None,
+        })
+        .collect();
+    for (item, points) in items {
+        let fits = |factor: f64| {
+            points
+                .iter()
+                .all(|point| (point.value / factor - point.truth).abs() <= FAULT * point.scale)
+        };
+        let vague = faults
+            .iter()
+            .any(|fault| fault.vagueness() > 1.0 && fault.items.contains(item));
+        let joins = factors.iter().find(|(_, factor)| vague && fits(*factor));
+        let Some(&(place, factor)) = joins else {
+            continue;
+        };
+        for fault in faults.iter_mut().filter(|fault| fault.vagueness() > 1.0) {
+            while let Some(at) = fault.items.iter().position(|other| other == item) {
+                fault.items.remove(at);
+                fault.worst_of.remove(at);
+                fault.numbers.remove(at);
+            }
+        }
+        let fault = &mut faults[place];
+        fault.items.push(*item);
+        fault.worst_of.push(worst(points));
+        fault.numbers.push(factor);
+    }
+    faults.retain(|fault| !fault.items.is_empty());
+    faults
+}
+
 /// Puts like faults of several quantities together.
 pub(super) fn merged(faults: Vec<Fault>) -> Vec<Fault> {
     let mut merged: Vec<Fault> = Vec::new();
@@ -478,13 +516,14 @@ pub(super) fn worst(points: &[Point]) -> (f64, f64) {
 }
 
 /// The faults of a quantity that is given, from its points by rising gap, those between its gaps by its own interpolation, and the
-/// fit of its singular part. `tolerance` is the error from which on something is wrong.
+/// fit of its singular part. `stated` is the largest error that it states.
 pub(super) fn of_quantity(
     (quantity, points): (Quantity, &[Point]),
     between: &[Point],
     contact: Option<&Contact>,
-    tolerance: f64,
+    stated: f64,
 ) -> Vec<Fault> {
+    let tolerance = FAULT.max(3.0 * stated);
     let item = Item::Quantity(quantity);
     let fault = |kind: Kind, points: &[Point]| Fault::of(kind, item, points);
     let mut faults = Vec::new();
@@ -495,17 +534,20 @@ pub(super) fn of_quantity(
             // What is wrong within.
             let within = points.iter().filter(|point| point.gap < cut);
             let within: Vec<Point> = within.copied().collect();
-            faults.extend(of_quantity((quantity, &within), &[], contact, tolerance));
+            faults.extend(of_quantity((quantity, &within), &[], contact, stated));
         }
     } else if worst(points).0 > tolerance {
+        let log = contact::log_alone(item, points, tolerance);
+        let log = log.map(|(value, truth)| Kind::Coefficient(value, truth));
         let near = contact.and_then(|contact| near_contact(contact, points, tolerance));
+        let near = log.or(near);
         faults.push(fault(near.unwrap_or(Kind::Error), points));
     } else if worst(between).0 > tolerance.max(10.0 * worst(points).0) {
         faults.push(fault(Kind::Between, between));
     }
     if whole.is_none() {
-        faults.extend(far(points, tolerance).map(|kind| fault(kind, points)));
-        faults.extend(signs(points, tolerance).map(|kind| fault(kind, points)));
+        faults.extend(far(points, stated).map(|kind| fault(kind, points)));
+        faults.extend(signs(points, stated).map(|kind| fault(kind, points)));
     }
     faults
 }
@@ -632,13 +674,17 @@ fn on_lines(
         let share = (x[1] - x[0]) / (x[2] - x[0]);
         let off = |of: &dyn Fn(&Point) -> f64| {
             let chord = of(&three[0]) * (1.0 - share) + of(&three[2]) * share;
-            (of(&three[1]) - chord).abs() / of(&three[1]).abs().max(1.0)
+            (of(&three[1]) - chord).abs()
         };
         let is_constant =
             (three[0].value - three[2].value).abs() <= f64::EPSILON * three[0].value.abs();
-        if off(&|point| point.value) < tolerance && !is_constant {
+        let size = three
+            .iter()
+            .fold(0.0, |size: f64, point| size.max(point.value.abs()));
+        if off(&|point| point.value) < tolerance * size && !is_constant {
             all += 1;
-            told += usize::from(off(&|point| point.truth) > bent);
+            let truth = three[1].truth.abs().max(1.0);
+            told += usize::from(off(&|point| point.truth) > bent * truth);
         }
     }
     (told, all)
@@ -662,17 +708,13 @@ fn near_contact(contact: &Contact, points: &[Point], tolerance: f64) -> Option<K
     (contact.constant.abs() > 10.0 * tolerance).then_some(Kind::Constant)
 }
 
-/// Size of what is more than noise: that of six digits, or the error that is stated.
-fn noise(point: &Point, tolerance: f64) -> f64 {
-    if tolerance > FAULT {
-        tolerance * point.scale
-    } else {
-        NOISE
-    }
+/// Size of what is more than noise: that of six digits, or three times the error that is stated, which is relative to the larger of the value and 1.
+fn noise(point: &Point, stated: f64) -> f64 {
+    NOISE.max(3.0 * stated * point.truth.abs().max(1.0))
 }
 
 /// Whether it is a constant factor off where the spheres are far from each other: the same at all far gaps, or by more than could be noise.
-fn far(points: &[Point], tolerance: f64) -> Option<Kind> {
+fn far(points: &[Point], stated: f64) -> Option<Kind> {
     let far = points
         .iter()
         .filter(|point| point.gap >= FAR && point.truth.abs() > FAINT);
@@ -683,14 +725,14 @@ fn far(points: &[Point], tolerance: f64) -> Option<Kind> {
         && far
             .iter()
             .all(|point| (off(point) - off(last)).abs() <= LASTING * off(last).abs());
-    let felt = |point: &Point| (point.value - point.truth).abs() > noise(point, tolerance);
+    let felt = |point: &Point| (point.value - point.truth).abs() > noise(point, stated);
     // What is felt nearer and lasts, or what is felt at the last gap.
-    let is_told = (lasts && (felt(first) || tolerance <= FAULT)) || felt(last);
+    let is_told = (lasts && (felt(first) || stated <= 0.0)) || felt(last);
     (is_told && off(last).abs() > FAR_OFF && off(last) > -1.0).then_some(Kind::Far(1.0 + off(last)))
 }
 
 /// The gaps at which it has the wrong sign, where it is no rounding error.
-fn signs(points: &[Point], tolerance: f64) -> Option<Kind> {
+fn signs(points: &[Point], stated: f64) -> Option<Kind> {
     let largest = points
         .iter()
         .fold(0.0, |largest: f64, point| largest.max(point.truth.abs()));
@@ -705,7 +747,7 @@ fn signs(points: &[Point], tolerance: f64) -> Option<Kind> {
     let wrong = points.iter().enumerate().filter(|(place, point)| {
         point.value * point.truth < 0.0
             && point.truth.abs() > (1e-3 * largest).max(FAINT)
-            && (point.value - point.truth).abs() > noise(point, tolerance)
+            && (point.value - point.truth).abs() > noise(point, stated)
             && !crosses(*place)
     });
     let gaps: Vec<f64> = wrong.map(|(_, point)| point.gap).collect();

@@ -382,27 +382,29 @@ fn found_faults(
             let contact = contacts.iter().find(|contact| contact.item == *item);
             let stated =
                 (submission.answers().iter()).filter_map(|answer| answer.errors.get(quantity));
-            let tolerance = stated.fold(FAULT, |most, error| most.max(3.0 * error));
+            let stated = stated.fold(0.0, f64::max);
             let between = between.iter().find(|(other, _)| other == item);
             let between = between.map_or(Vec::new(), |(_, points)| pick(points));
             faults.extend(faults::of_quantity(
                 (quantity, &points),
                 &between,
                 contact,
-                tolerance,
+                stated,
             ));
         }
-        let mut faults = faults::merged(faults::exchanged(faults, items));
+        let mut faults = faults::joined(faults::merged(faults::exchanged(faults, items)), items);
         faults.sort_by(|a, b| b.worst().0.total_cmp(&a.worst().0));
         faults
     };
     let (mut given, follow) = (of(true), of(false));
     let vagueness = |faults: &[Fault]| faults.iter().map(Fault::vagueness).sum::<f64>();
-    let follows_whole = items
+    // All that is given is in what follows: nothing is left out with it.
+    let quantities = items
         .iter()
-        .filter(|(_, points)| points.iter().all(|point| !point.given))
-        .count()
-        >= 10;
+        .filter(|(item, _)| matches!(item, Item::Quantity(_)));
+    let (told, followed): (Vec<_>, Vec<_>) =
+        quantities.partition(|(_, points)| points.iter().all(|point| point.given));
+    let follows_whole = told.len() == followed.len();
     if follows_whole && !follow.is_empty() && SIMPLER * vagueness(&follow) <= vagueness(&given) {
         return follow;
     }

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::points::{Point, TRUST, by_item, trusted_down_to};
 use super::{LeaderRow, Scorecard, faults};
 use crate::columns::columns;
-use crate::numbers::{few_digits, size, written};
+use crate::numbers::{few_digits, written};
 
 columns! {
     /// A row for each number that a judgement consists of. `docs/JUDGE.md` says what each measure is.
@@ -379,19 +379,5 @@ impl Scorecard {
             a.gap.total_cmp(&b.gap).then(errors)
         });
         first.copied()
-    }
-
-    /// Its largest error at its gaps, with item and gap.
-    #[must_use]
-    pub fn worst(&self) -> Option<Point> {
-        let points = self.points.iter().copied();
-        points.max_by(|a, b| a.error().abs().total_cmp(&b.error().abs()))
-    }
-
-    /// The largest error in a few digits, for tables.
-    #[must_use]
-    pub fn worst_in_short(&self) -> String {
-        self.worst()
-            .map_or("none".to_owned(), |point| size(point.error().abs()))
     }
 }

@@ -39,7 +39,9 @@ impl Scorecard {
     pub fn verdict(&self) -> Vec<String> {
         let mut lines = vec![self.trust_sentence()];
         if self.is_faultless() {
-            let worst = self.worst().map_or(String::new(), |point| {
+            let given = self.points.iter().filter(|point| point.given);
+            let worst = given.max_by(|a, b| a.error().abs().total_cmp(&b.error().abs()));
+            let worst = worst.map_or(String::new(), |point| {
                 format!(
                     " (largest error {} of {} at gap {})",
                     size_percent(point.error()),
