@@ -124,9 +124,19 @@ pub(super) fn fit(item: Item, points: &[Point]) -> Option<Contact> {
 /// Largest gap at which a logarithm is told by itself.
 const LOG: f64 = 0.6;
 
+/// A logarithm with a wrong factor.
+pub(super) struct LogAlone {
+    /// The factor.
+    pub value: f64,
+    /// The true one.
+    pub truth: f64,
+    /// Whether the difference is that logarithm at all gaps, far ones too.
+    pub everywhere: bool,
+}
+
 /// The factor of the logarithm of a load, and the true one, if a wrong factor is all that is wrong near contact: then the difference is a multiple of the
 /// logarithm at each gap, and a few gaps are enough.
-pub(super) fn log_alone(item: Item, points: &[Point], tolerance: f64) -> Option<(f64, f64)> {
+pub(super) fn log_alone(item: Item, points: &[Point], tolerance: f64) -> Option<LogAlone> {
     /// Largest deviation from one multiple.
     const SAME: f64 = 0.01;
     let Item::Quantity(quantity) = item else {
@@ -135,18 +145,27 @@ pub(super) fn log_alone(item: Item, points: &[Point], tolerance: f64) -> Option<
     if diverges(quantity.name())? || !quantity.is_load() {
         return None;
     }
-    let near = points.iter().filter(|point| point.gap <= LOG);
-    let multiples: Vec<f64> = near
-        .map(|point| (point.value - point.truth) / -point.gap.ln())
+    let multiple = |point: &Point| (point.value - point.truth) / -point.gap.ln();
+    let near: Vec<f64> = points
+        .iter()
+        .filter(|point| point.gap <= LOG)
+        .map(multiple)
         .collect();
-    let [first, _, ..] = multiples.as_slice() else {
+    let [first, _, ..] = near.as_slice() else {
         return None;
     };
-    let is_one = multiples
-        .iter()
-        .all(|multiple| (multiple / first - 1.0).abs() <= SAME);
+    let is_one = |multiple: f64| (multiple / first - 1.0).abs() <= SAME;
+    if !near.iter().all(|multiple| is_one(*multiple)) || first.abs() <= 10.0 * tolerance {
+        return None;
+    }
     let truth = factor(quantity.name(), false)?;
-    (is_one && first.abs() > 10.0 * tolerance).then_some((truth + first, truth))
+    // Where the logarithm vanishes there is no multiple of it.
+    let mut others = points.iter().filter(|point| point.gap.ln().abs() > 0.1);
+    Some(LogAlone {
+        value: truth + first,
+        truth,
+        everywhere: others.all(|point| is_one(multiple(point))),
+    })
 }
 
 /// Sums of singular terms that cancel because lubrication acts on both spheres with opposite forces: the names of the loads, their factors, and the value.

@@ -18,7 +18,7 @@ const LEAST_FACTOR: f64 = 2e-3;
 
 /// What is far, how far a ratio may be off there, how much of that may change from one gap to the next, and the size of noise.
 const FAR: f64 = 8.0;
-const FAR_OFF: f64 = 5e-3;
+const FAR_OFF: f64 = 0.01;
 const LASTING: f64 = 0.2;
 pub(super) const NOISE: f64 = 5e-6;
 
@@ -528,6 +528,7 @@ pub(super) fn of_quantity(
     let fault = |kind: Kind, points: &[Point]| Fault::of(kind, item, points);
     let mut faults = Vec::new();
     let whole = whole(quantity, points, tolerance);
+    let mut is_explained = false;
     if let Some(kind) = whole {
         faults.push(fault(kind, points));
         if let Kind::Cut(cut) = kind {
@@ -538,14 +539,15 @@ pub(super) fn of_quantity(
         }
     } else if worst(points).0 > tolerance {
         let log = contact::log_alone(item, points, tolerance);
-        let log = log.map(|(value, truth)| Kind::Coefficient(value, truth));
+        is_explained = log.as_ref().is_some_and(|log| log.everywhere);
+        let log = log.map(|log| Kind::Coefficient(log.value, log.truth));
         let near = contact.and_then(|contact| near_contact(contact, points, tolerance));
         let near = log.or(near);
         faults.push(fault(near.unwrap_or(Kind::Error), points));
     } else if worst(between).0 > tolerance.max(10.0 * worst(points).0) {
         faults.push(fault(Kind::Between, between));
     }
-    if whole.is_none() {
+    if whole.is_none() && !is_explained {
         faults.extend(far(points, stated).map(|kind| fault(kind, points)));
         faults.extend(signs(points, stated).map(|kind| fault(kind, points)));
     }
