@@ -421,27 +421,26 @@ fn found_faults(
     given
 }
 
-/// Factors of gaps that people give in another unit: in diameters, and twice the other way round.
-const GAP_UNITS: [f64; 2] = [2.0, 0.5];
-
-/// The one fault of a submission whose gaps are not what they should be, if all that it gives fits at other gaps.
+/// The one fault of a submission whose gaps are not what they should be (in diameters, half of them, distances of the centres), if all that it gives fits at other gaps.
 fn wrong_gaps(
     truth: &Truth,
     said: &[(Gap, Values)],
     points: &[Point],
 ) -> Result<Option<Fault>, SceneError> {
-    let mut meanings: Vec<(Kind, Box<dyn Fn(f64) -> f64>)> = Vec::new();
-    for factor in GAP_UNITS {
-        meanings.push((Kind::GapUnit(factor), Box::new(move |gap| factor * gap)));
-    }
-    meanings.push((Kind::Distance, Box::new(|gap| gap - 2.0)));
+    let meanings = [Kind::GapUnit(2.0), Kind::GapUnit(0.5), Kind::Distance];
+    let meant = |kind: Kind, gap: f64| match kind {
+        Kind::GapUnit(factor) => factor * gap,
+        _ => gap - 2.0,
+    };
     let items: Vec<Item> = points::by_item(points)
         .into_iter()
         .map(|(item, _)| item)
         .collect();
-    for (kind, meant) in meanings {
+    for kind in meanings {
         let moved: Vec<(Gap, Values)> = (said.iter())
-            .filter_map(|(gap, values)| Some((Gap::new(meant(gap.eps())).ok()?, values.clone())))
+            .filter_map(|(gap, values)| {
+                Some((Gap::new(meant(kind, gap.eps())).ok()?, values.clone()))
+            })
             .collect();
         if moved.len() < said.len().max(2) {
             continue;
