@@ -81,6 +81,22 @@ fn exact_loads_are_judged_faultless_and_broken_ones_are_told_by_name() {
 }
 
 #[test]
+fn the_page_shows_a_verdict_as_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let model = format!("pystokes={}", peer("pystokes.csv"));
+    let output = squirmers(folder.path(), &["judge", &model, "--grid", "0"]);
+    let said = String::from_utf8(output.stdout).unwrap();
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/JUDGE.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    let shown = page.split_once("```text\npystokes").unwrap().1;
+    let shown = format!("pystokes{}", shown.split("```").next().unwrap());
+    assert!(
+        shown.lines().count() > 5 && said.starts_with(&shown),
+        "{said}\n{shown}"
+    );
+}
+
+#[test]
 fn the_same_is_said_as_json() {
     let folder = tempfile::tempdir().unwrap();
     let models = format!("jfsd={}", peer("jfsd-matrix.csv"));
