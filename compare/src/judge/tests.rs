@@ -464,3 +464,193 @@ fn noise_is_no_far_field_and_a_stated_error_is_no_fault() {
         }
     }
 }
+
+#[test]
+fn trust_begins_beyond_the_largest_gap_at_which_an_error_is_too_large() {
+    let point = |gap: f64, error: f64| Point {
+        gap,
+        item: Item::Quantity(Quantity::named("X11A").unwrap()),
+        given: true,
+        value: 1.0 + error,
+        truth: 1.0,
+        scale: 1.0,
+    };
+    let points = [
+        point(0.1, -0.03),
+        point(10.0, 0.002),
+        point(0.01, 0.3),
+        point(1.0, 0.008),
+    ];
+    let down_to = |bound: f64| trusted_down_to(points.iter(), bound);
+    // Right again at a smaller gap is no trust down to there.
+    assert_eq!(down_to(0.005), Some(10.0));
+    assert_eq!(down_to(0.01), Some(1.0));
+    assert_eq!(down_to(0.05), Some(0.1));
+    assert_eq!(down_to(0.5), Some(0.01));
+    assert_eq!(down_to(0.001), None);
+    let lucky = [
+        point(0.1, 0.0),
+        point(1.0, 0.02),
+        point(10.0, 0.0),
+        point(20.0, f64::NAN),
+        point(30.0, 0.0),
+    ];
+    assert_eq!(trusted_down_to(lucky.iter(), 0.01), Some(30.0));
+    assert_eq!(trusted_down_to(lucky[..3].iter(), 0.01), Some(10.0));
+}
+
+fn peer(name: &str) -> Scorecard {
+    let mut card = judged(Submission::parse(fixtures::peer(name).unwrap()).unwrap());
+    card.name = name.to_owned();
+    card
+}
+
+#[test]
+fn val_the_smallest_eigenvalue_of_scalars_is_that_of_their_matrix() {
+    let card = peer("pystokes-matrix");
+    let law = card
+        .matrix_laws
+        .iter()
+        .find(|law| law.name == "smallest eigenvalue")
+        .unwrap();
+    let (gap, least) = card
+        .definite
+        .iter()
+        .copied()
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .unwrap();
+    assert_relative_eq!(gap, law.gap);
+    assert_relative_eq!(least, law.value, max_relative = 1e-12);
+    assert!(least > 0.0 && least < 0.5, "{least}");
+}
+
+#[test]
+fn the_leaderboard_goes_by_score_and_scores_only_what_is_complete() {
+    let names = [
+        "pystokes",
+        "near-field-jeffrey-onishi",
+        "libstokes-n100",
+        "townsend-table",
+        "multiblobs-642",
+    ];
+    let cards: Vec<Scorecard> = names.iter().map(|name| peer(name)).collect();
+    let rows = leader_rows(&cards);
+    let order: Vec<&str> = rows.iter().map(|row| row.model.as_str()).collect();
+    assert_eq!(
+        order,
+        [
+            "libstokes-n100",
+            "townsend-table",
+            "multiblobs-642",
+            "pystokes",
+            "near-field-jeffrey-onishi"
+        ]
+    );
+    // It has no gap from 0.5 on.
+    assert!(
+        rows[4].score.is_nan() && rows[4].error_01 < 0.05,
+        "{:?}",
+        rows[4]
+    );
+    let pystokes = &rows[3];
+    // X12A, which is as large as X11A and more off.
+    assert!(
+        pystokes.error_001 > 0.94 && pystokes.error_001 < 0.97,
+        "{pystokes:?}"
+    );
+    assert!(pystokes.error_2 < pystokes.error_05 && pystokes.error_05 < pystokes.error_01);
+    assert!((pystokes.score - pystokes.error_001).abs() < 1e-12 && pystokes.slip_score > 0.5);
+    assert!((pystokes.seconds - 9e-5).abs() < 1e-12);
+    // Between its gaps it is worse than at them.
+    assert!(
+        rows[1].score > 0.1 && rows[1].error_01 < 1e-6,
+        "{:?}",
+        rows[1]
+    );
+    assert!(rows[1].slip_score.is_nan());
+}
+
+#[test]
+fn collisions_are_compared_outcome_by_outcome_and_state_by_state() {
+    let score = |theirs: ([f64; 2], &str), exact: ([f64; 2], &str)| CaseScore {
+        case: crate::Case {
+            approach: crate::Approach::HeadOn,
+            beta: 5.0,
+            dx: 1.0,
+            dz: 0.0,
+        },
+        theirs: (theirs.0, theirs.1.to_owned()),
+        exact: (exact.0, exact.1.to_owned()),
+    };
+    let both = score(([10.0, -3.0], "scattered"), ([9.0, 1.0], "scattered"));
+    assert_eq!(both.error_deg(), Some(4.0));
+    assert_eq!(both.name(), "opposed, beta 5, dx 1");
+    assert_eq!(
+        score(([10.0, 0.0], "pairwise"), ([9.0, 0.0], "scattered")).error_deg(),
+        None
+    );
+    // Lubrication theory has other bound states than exact hydrodynamics, and ends otherwise.
+    let models = [Method::Lt, Method::Exact].map(|method| {
+        let options = ModelOptions {
+            cache: None,
+            tabulated: LoadSet::planar(2),
+            ..ModelOptions::default()
+        };
+        Model::set_up(method, &options).unwrap()
+    });
+    let [lt, exact] = &models;
+    let same = collisions::collisions(exact, exact, Grid::new(4).unwrap()).unwrap();
+    assert!(same.partings.is_empty());
+    assert!(
+        same.bound_states()
+            .iter()
+            .all(|state| state.theirs == state.exact)
+    );
+    assert!(
+        same.cases
+            .iter()
+            .all(|score| score.error_deg().is_none_or(|error| error <= 0.0))
+    );
+    let found = collisions::collisions(lt, exact, Grid::new(6).unwrap()).unwrap();
+    assert_eq!(found.cases.len(), 17);
+    for beta in BETAS {
+        let of = |shares: fn([f64; 2]) -> f64| -> f64 {
+            let mine = found
+                .outcomes
+                .iter()
+                .filter(|(other, ..)| other.total_cmp(&beta).is_eq());
+            mine.map(|(.., both)| shares(*both)).sum()
+        };
+        assert_relative_eq!(of(|both| both[0]), 1.0, epsilon = 1e-12);
+        assert_relative_eq!(of(|both| both[1]), 1.0, epsilon = 1e-12);
+        let parted = found
+            .partings
+            .iter()
+            .filter(|parting| parting.beta.total_cmp(&beta).is_eq());
+        let other = found
+            .trust
+            .iter()
+            .find(|shares| shares.beta.total_cmp(&beta).is_eq())
+            .unwrap()
+            .other_outcome;
+        assert_relative_eq!(
+            parted.map(|parting| parting.share).sum::<f64>(),
+            other,
+            epsilon = 1e-12
+        );
+    }
+    // The weak pullers side by side, which lubrication theory lacks.
+    let states = found.bound_states();
+    let missing: Vec<String> = states
+        .iter()
+        .filter(|state| state.theirs.is_none())
+        .map(BoundComparison::name)
+        .collect();
+    assert!(
+        missing
+            .iter()
+            .any(|name| name.starts_with("beta 1, pairwise, stable, gap 3.7e-1")),
+        "{missing:?}"
+    );
+    assert!(states.iter().any(|state| state.exact.is_none()));
+}
