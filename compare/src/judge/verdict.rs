@@ -6,13 +6,17 @@ use super::{FAR_GAP, Scorecard};
 use crate::numbers::{few_digits, rounded, written};
 use crate::submission::Interpolation;
 
-/// The name of what a point is of, and whether it was given.
-fn named(point: &Point) -> String {
-    match point.item {
-        Item::Quantity(_) if !point.given => {
-            format!("{}, which follows from what it gives,", point.item)
+/// The name of what a point is of, and whether it was given; `then` goes on.
+fn named(point: &Point, then: &str) -> String {
+    match (point.item, then) {
+        (Item::Quantity(_), "") if !point.given => {
+            format!("{}, which follows from what it gives", point.item)
         }
-        item => item.to_string(),
+        (Item::Quantity(_), then) if !point.given => {
+            format!("{}, which follows from what it gives, {then}", point.item)
+        }
+        (item, "") => item.to_string(),
+        (item, then) => format!("{item} {then}"),
     }
 }
 
@@ -81,12 +85,12 @@ impl Scorecard {
                 ),
                 (Some(gap), Some(first)) => {
                     format!(
-                        "within {percent} down to a gap of {} ({} is first to fail)",
+                        "within {percent} down to a gap of {} ({})",
                         few_digits(gap),
-                        named(&first)
+                        named(&first, "is first to fail")
                     )
                 }
-                (None, Some(first)) => format!("nowhere within {percent} ({})", named(&first)),
+                (None, Some(first)) => format!("nowhere within {percent} ({})", named(&first, "")),
                 (None, None) => "without a number that is scored".to_owned(),
             });
             // Then it is within all larger bounds.
