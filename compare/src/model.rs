@@ -308,7 +308,7 @@ impl Deref for Model {
 }
 
 /// Whether a model has all loads of `set`, asked at a gap in its range.
-fn check_loads(model: &dyn Hydrodynamics, set: LoadSet) -> Result<(), SceneError> {
+pub(crate) fn check_loads(model: &dyn Hydrodynamics, set: LoadSet) -> Result<(), SceneError> {
     let range = model.range();
     let gap = Gap::new(range.largest.min(1.0).max(range.smallest))?;
     model.interacting_loads_with_swirl(gap, set).map(drop)

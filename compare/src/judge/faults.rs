@@ -46,7 +46,7 @@ pub enum Kind {
     Cut(f64),
     /// It is that of a lone sphere at every gap.
     Alone,
-    /// It lies on straight lines between some of the gaps; the number of these.
+    /// It lies on straight lines between some of the gaps; how many of its gaps are on none.
     StraightLines(usize),
     /// It is right at its gaps, and wrong between them by its own interpolation.
     Between,
@@ -62,7 +62,7 @@ pub enum Kind {
     SignAt(f64, f64),
     /// Far away it is this many times what it should be.
     Far(f64),
-    /// Its error is within the smallest bound only at larger gaps than this.
+    /// It is off, and none of the other kinds says why.
     Error,
 }
 
@@ -165,7 +165,6 @@ impl Kind {
             (Self::Coefficient(a, at), Self::Coefficient(b, also)) => {
                 close(a / at, b / also) && close(at.abs(), also.abs())
             }
-
             (Self::SignAt(..), _) => false,
             _ => std::mem::discriminant(&self) == std::mem::discriminant(&other),
         }
@@ -660,7 +659,7 @@ fn straight(points: &[Point]) -> Option<Kind> {
     let (told, all) = best(1e-9, 1e-5);
     // One may be chance, unless it is one to rounding.
     let is_table = told >= 2 || best(1e-14, 1e-3).0 >= 1;
-    (is_table && all + 2 < points.len()).then(|| Kind::StraightLines(points.len() - all.max(1)))
+    (is_table && all + 2 < points.len()).then(|| Kind::StraightLines(points.len() - all))
 }
 
 /// How many points lie on the line between their neighbours, within `tolerance`: those of which the truth is off by more than `bent`, and all.

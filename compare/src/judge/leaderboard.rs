@@ -9,10 +9,10 @@ use lt::{Form, Lubrication};
 use scene::{Gap, Hydrodynamics, LoadSet};
 use serde::Serialize;
 
-use super::points::{Item, Point, by_item};
+use super::points::{Item, Point, TRUST, by_item};
 use super::{Options, Scorecard, faults, judge};
 use crate::columns::columns;
-use crate::submission::{Answer, Header, Quantity, Submission, Submitted, Values};
+use crate::submission::{Answer, Header, Submission, Submitted, Values};
 use crate::watch::{Pieces, Progress};
 use crate::{CompareError, Model};
 
@@ -104,7 +104,8 @@ impl LeaderRow {
                 largest(is_meant, count, SCORED)
             }
         };
-        let trusted = |bound: f64| card.trusted(bound).unwrap_or(f64::NAN);
+        let trusted = TRUST.map(|bound| card.trusted(bound).unwrap_or(f64::NAN));
+        let [trusted_1, trusted_5, trusted_20] = trusted;
         Self {
             model: card.name.clone(),
             title: card.header.title().unwrap_or_else(|| card.name.clone()),
@@ -114,9 +115,9 @@ impl LeaderRow {
             error_01: at(0.1),
             error_001: at(0.01),
             slip_score: over(&by_slip, 12),
-            trusted_1: trusted(0.01),
-            trusted_5: trusted(0.05),
-            trusted_20: trusted(0.2),
+            trusted_1,
+            trusted_5,
+            trusted_20,
             faults: card.faults.len(),
             seconds: card.seconds_per_gap.unwrap_or(f64::NAN),
         }
@@ -153,7 +154,7 @@ pub fn leaderboard(referee: &Model) -> Result<Vec<Scorecard>, CompareError> {
         all.push((name.to_owned(), Submitted::File(submission)));
     }
     let own = own_models()?;
-    let progress = Progress::begin("models", all.len() + own.len(), Pieces::Unlike);
+    let progress = Progress::begin("models", all.len() + 2 * own.len(), Pieces::Unlike);
     for (name, title, model) in own {
         let submission = submission_of(&title, model.as_ref(), &GAPS, LoadSet::all(2))?;
         all.push((name, Submitted::File(submission)));
@@ -215,16 +216,9 @@ pub fn submission_of(
     let mut answers = Vec::new();
     for &gap in gaps {
         let gap = Gap::new(gap)?;
-        let (loads, swirl) = model.loads_with_swirl(gap, set)?;
-        let mut values = Values::default();
-        for (name, value) in loads.named().into_iter().chain(swirl.named()) {
-            if let Some(quantity) = Quantity::named(&name) {
-                values.set(quantity, value);
-            }
-        }
         answers.push(Answer {
             gap,
-            values,
+            values: Values::of_model(model, gap, set)?,
             errors: Values::default(),
             laws: None,
         });

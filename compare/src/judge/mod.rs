@@ -12,10 +12,12 @@ mod points;
 mod rows;
 mod verdict;
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use scene::{Gap, LoadSet, SceneError};
 
+use crate::model::check_loads;
 use crate::study::maps::Grid;
 use crate::submission::{
     Answer, Header, Interpolation, Process, Quantity, Submission, SubmissionError, Submitted,
@@ -96,7 +98,7 @@ pub struct Options {
     pub grid: Option<Grid>,
 }
 
-/// Judges a submission. `exact` is the model that its collisions are compared with; `method` that of the submission, or why it moves no pair.
+/// Judges a submission. `exact` is the model that its collisions are compared with; `theirs` that of the submission, or why it moves no pair.
 ///
 /// # Errors
 /// [`CompareError`] if exact loads fail, or a process does not answer.
@@ -128,7 +130,8 @@ pub fn judge(
         .iter()
         .flat_map(|answer| answer.values.iter().map(|(quantity, _)| quantity));
     let truth = Truth::of(given);
-    let points = truth.points(&calibrated)?;
+    let truths = truth.at_each(&calibrated)?;
+    let points = points::against(&calibrated, &truths);
     if points.is_empty() {
         return Err(CompareError::input(
             "judge",
@@ -147,7 +150,8 @@ pub fn judge(
             Item::Quantity(quantity) => quantity.mode().is_some(),
             Item::Approach(_) => true,
         };
-        truth.points(&raw)?.into_iter().filter(by_slip).collect()
+        let raw = points::against(&raw, &truths);
+        raw.into_iter().filter(by_slip).collect()
     };
     let between = match submitted {
         Submitted::File(submission) => between(submission, &truth)?,
@@ -193,27 +197,20 @@ pub fn judge(
 /// Sets up the model of a submission for collisions; otherwise the reason why it moves no pair.
 ///
 /// # Errors
-/// [`CompareError`] if the table of a process fails for another reason than what it lacks.
+/// [`CompareError::Input`] for a name that is taken or not allowed.
 pub fn mover(name: &str, submitted: &Submitted) -> Result<Result<Model, String>, CompareError> {
-    let reason = |error: CompareError| match error {
-        CompareError::Input { allowed, .. } => allowed,
-        other => other.in_one_line(),
+    let (model, is_dear) = match submitted.model() {
+        Ok(model) => model,
+        Err(error) => return Ok(Err(error.to_string())),
     };
-    let method = match submitted.register(name) {
-        Ok(method) => method,
-        // A name that is taken or not allowed.
-        Err(error) if submitted.model().is_ok() => return Err(error),
-        Err(error) => return Ok(Err(reason(error))),
+    let method = Method::registered(name, Arc::clone(&model), is_dear)?;
+    let options = crate::ModelOptions {
+        tabulated: LoadSet::planar(2),
+        ..crate::ModelOptions::default()
     };
     // What it lacks is told in its own words.
-    if let Ok((model, _)) = submitted.model() {
-        let range = model.range();
-        let gap = Gap::new(range.largest.min(1.0).max(range.smallest))?;
-        if let Err(SceneError::Model { source, .. }) =
-            model.interacting_loads(gap, LoadSet::planar(2))
-        {
-            return Ok(Err(source.to_string()));
-        }
+    if let Err(SceneError::Model { source, .. }) = check_loads(model.as_ref(), options.tabulated) {
+        return Ok(Err(source.to_string()));
     }
     let smallest_needed = ANGLES_AT - 2.0;
     if method.largest_gap() < smallest_needed {
@@ -223,11 +220,12 @@ pub fn mover(name: &str, submitted: &Submitted) -> Result<Result<Model, String>,
             crate::numbers::written(smallest_needed)
         )));
     }
-    let options = crate::ModelOptions {
-        tabulated: LoadSet::planar(2),
-        ..crate::ModelOptions::default()
-    };
-    Ok(Model::set_up(method, &options).map_err(reason))
+    Ok(
+        Model::set_up(method, &options).map_err(|error| match error {
+            CompareError::Input { allowed, .. } => allowed,
+            other => other.in_one_line(),
+        }),
+    )
 }
 
 /// The method of the referee, with the loads that collisions read.

@@ -4,7 +4,7 @@ use std::fmt;
 
 use exact::Exact;
 use rayon::prelude::*;
-use scene::{Gap, Hydrodynamics, LoadSet, SceneError};
+use scene::{Gap, LoadSet, SceneError};
 
 use crate::numbers::written;
 use crate::submission::{Quantity, Values, derived};
@@ -104,13 +104,7 @@ impl Truth {
     /// # Errors
     /// Those of the exact model.
     pub fn at(&self, gap: Gap) -> Result<Values, SceneError> {
-        let (loads, swirl) = self.exact.loads_with_swirl(gap, self.set)?;
-        let mut values = Values::default();
-        for (name, value) in loads.named().into_iter().chain(swirl.named()) {
-            if let Some(quantity) = Quantity::named(&name) {
-                values.set(quantity, value);
-            }
-        }
+        let mut values = Values::of_model(&self.exact, gap, self.set)?;
         let follow = derived(&values);
         for (quantity, value) in follow.iter() {
             values.set(quantity, value);
@@ -118,13 +112,22 @@ impl Truth {
         Ok(values)
     }
 
+    /// The same at each of some gaps.
+    pub(super) fn at_each(&self, said: &[(Gap, Values)]) -> Result<Vec<Values>, SceneError> {
+        said.par_iter().map(|(gap, _)| self.at(*gap)).collect()
+    }
+
     /// The points of what a submission says at some gaps.
     pub(super) fn points(&self, said: &[(Gap, Values)]) -> Result<Vec<Point>, SceneError> {
-        let of_each: Vec<Vec<Point>> = (said.par_iter())
-            .map(|(gap, values)| Ok(points(*gap, values, &self.at(*gap)?)))
-            .collect::<Result<_, SceneError>>()?;
-        Ok(of_each.concat())
+        Ok(against(said, &self.at_each(said)?))
     }
+}
+
+/// The points of what a submission says at some gaps, with the truth at each.
+pub(super) fn against(said: &[(Gap, Values)], truths: &[Values]) -> Vec<Point> {
+    let each = said.iter().zip(truths);
+    each.flat_map(|((gap, values), truth)| points(*gap, values, truth))
+        .collect()
 }
 
 fn points(gap: Gap, given: &Values, truth: &Values) -> Vec<Point> {

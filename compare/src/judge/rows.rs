@@ -291,6 +291,12 @@ impl Scorecard {
         if let Some(seconds) = self.seconds_per_gap {
             table.add("seconds_per_gap", "stated or measured", seconds, "s");
             table.add(
+                "exact_seconds_per_gap",
+                "measured now",
+                self.exact_seconds_per_gap,
+                "s",
+            );
+            table.add(
                 "time_ratio",
                 "seconds per gap over those of exact loads",
                 seconds / self.exact_seconds_per_gap,

@@ -100,7 +100,7 @@ fn by_slip(place: usize) -> (usize, usize) {
 }
 
 /// The pairs of mobilities and velocities that a pair of loads follows from. None of loads by swirl.
-pub(super) fn sources(load: usize) -> Option<Vec<usize>> {
+fn sources(load: usize) -> Option<Vec<usize>> {
     let across = [YA, YB, YC].map(|scalar| LOADS + scalar);
     Some(match load {
         XA | XC => vec![LOADS + load],
@@ -118,6 +118,18 @@ pub(super) fn sources(load: usize) -> Option<Vec<usize>> {
         }
         _ => return None,
     })
+}
+
+/// The pair that is missing for a pair of loads: among its sources where nothing but mobilities and velocities is held.
+pub(super) fn lacking(load: usize, is_held: impl Fn(usize) -> bool) -> usize {
+    let of_loads = (0..LOADS).any(&is_held);
+    let sources = sources(load)
+        .filter(|_| !of_loads)
+        .unwrap_or_else(|| vec![load]);
+    sources
+        .into_iter()
+        .find(|&pair| !is_held(pair))
+        .unwrap_or(load)
 }
 
 /// The pair of loads with this place, from mobilities and velocities.

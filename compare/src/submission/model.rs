@@ -300,11 +300,7 @@ impl SubmittedModel {
 
     /// Why a pair of loads neither is held nor follows from what is.
     fn lacking(&self, load: usize) -> SceneError {
-        let of_loads = self.places[..LOADS].iter().any(Option::is_some);
-        let sources = convert::sources(load).filter(|_| !of_loads);
-        let needed = sources.unwrap_or_else(|| vec![load]);
-        let pair = needed.into_iter().find(|&pair| self.places[pair].is_none());
-        let pair = pair.unwrap_or(load);
+        let pair = convert::lacking(load, |pair| self.places[pair].is_some());
         let (quantity, gap) = self.lacked[pair].unwrap_or((Quantity(2 * pair), None));
         let name = quantity.name().to_owned();
         let error = match gap {

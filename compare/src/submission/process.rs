@@ -313,13 +313,7 @@ impl Process {
             })
         };
         assembled(set, swirl, given).map_err(|load| {
-            let sources = convert::sources(load)
-                .filter(|_| given(0).is_none())
-                .unwrap_or_else(|| vec![load]);
-            let lacking = sources
-                .into_iter()
-                .find(|&pair| given(pair).is_none())
-                .unwrap_or(load);
+            let lacking = convert::lacking(load, |pair| given(pair).is_some());
             let name = Quantity(2 * lacking).name();
             let what = format!("its answer has no {name}, which the motion needs");
             failed(failure(&self.command, what))

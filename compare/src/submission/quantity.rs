@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
-use scene::{LoadSet, MAX_MODES, PairLoads, SelfOther, SwirlLoads};
+use scene::{Gap, Hydrodynamics, LoadSet, MAX_MODES, PairLoads, SceneError, SelfOther, SwirlLoads};
 
 /// Loads that are not by swirl, each for self and other, in the order of [`PairLoads::columns`].
 pub(super) const SQUIRMING: usize = LoadSet::all(MAX_MODES).column_count() / 2;
@@ -229,6 +229,25 @@ impl Default for Values {
 }
 
 impl Values {
+    /// The loads of a model of equal spheres.
+    ///
+    /// # Errors
+    /// Those of the model.
+    pub(crate) fn of_model(
+        model: &dyn Hydrodynamics,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<Self, SceneError> {
+        let (loads, swirl) = model.loads_with_swirl(gap, set)?;
+        let mut values = Self::default();
+        for (name, value) in loads.named().into_iter().chain(swirl.named()) {
+            if let Some(quantity) = Quantity::named(&name) {
+                values.set(quantity, value);
+            }
+        }
+        Ok(values)
+    }
+
     /// A quantity that is there.
     #[must_use]
     pub fn get(&self, quantity: Quantity) -> Option<f64> {

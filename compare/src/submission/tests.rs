@@ -21,14 +21,7 @@ fn value(submission: &Submission, gap: f64, name: &str) -> f64 {
 
 /// Exact loads of the modes 1 and 2 as values.
 fn exact_values(gap: f64) -> Values {
-    let loads = Exact::new()
-        .loads(Gap::new(gap).unwrap(), LoadSet::all(2))
-        .unwrap();
-    let mut values = Values::default();
-    for (name, value) in loads.named() {
-        values.set(quantity(&name), value);
-    }
-    values
+    Values::of_model(&Exact::new(), Gap::new(gap).unwrap(), LoadSet::all(2)).unwrap()
 }
 
 #[test]

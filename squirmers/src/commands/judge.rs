@@ -145,7 +145,7 @@ pub(super) fn run(
     Ok(out.account().verdict()?)
 }
 
-/// A scorecard as JSON.
+/// A scorecard as JSON, in which NaN is null.
 #[derive(Serialize)]
 struct Judged<'a> {
     model: &'a str,
@@ -161,25 +161,23 @@ struct Judged<'a> {
 struct JudgedFault {
     kind: &'static str,
     items: Vec<String>,
-    /// Null where a fault comes with no number.
-    number: Option<f64>,
+    number: f64,
     worst_error: f64,
     at_gap: f64,
     sentence: String,
 }
 
-/// As a row of the CSV, with null for NaN.
+/// As a row of the CSV.
 #[derive(Serialize)]
 struct JudgedRow {
     measure: &'static str,
     case: String,
-    value: Option<f64>,
+    value: f64,
     unit: &'static str,
 }
 
 impl<'a> Judged<'a> {
     fn of(card: &'a Scorecard) -> Self {
-        let finite = |number: f64| Some(number).filter(|number| number.is_finite());
         Self {
             model: &card.name,
             header: &card.header,
@@ -193,7 +191,7 @@ impl<'a> Judged<'a> {
                 .map(|fault| JudgedFault {
                     kind: fault.kind.name(),
                     items: fault.items.iter().map(ToString::to_string).collect(),
-                    number: finite(fault.kind.number()),
+                    number: fault.kind.number(),
                     worst_error: fault.worst().0,
                     at_gap: fault.worst().1,
                     sentence: fault.sentence(),
@@ -203,7 +201,7 @@ impl<'a> Judged<'a> {
                 .map(|row| JudgedRow {
                     measure: row.measure,
                     case: row.case,
-                    value: finite(row.value),
+                    value: row.value,
                     unit: row.unit,
                 })
                 .collect(),
