@@ -1,5 +1,6 @@
 //! Laws that hold whatever the fluid does in detail: of matrices, of mobilities, and of the far field.
 
+use super::causes;
 use super::faults;
 use super::points::{Item, Point};
 use crate::submission::{Answer, Quantity};
@@ -146,7 +147,7 @@ pub(super) fn decays(items: &[(Item, Vec<Point>)]) -> Vec<Decay> {
             continue;
         };
         // Those that do not vanish have no power.
-        if quantity.isolated().abs() > 0.0 || last.truth.abs() < faults::FAINT {
+        if quantity.isolated().abs() > 0.0 || last.truth.abs() < causes::FAINT {
             continue;
         }
         let power = |of: fn(&Point) -> f64| {
@@ -155,7 +156,7 @@ pub(super) fn decays(items: &[(Item, Vec<Point>)]) -> Vec<Decay> {
         decays.push(Decay {
             quantity,
             powers: [power(|point| point.value), power(|point| point.truth)],
-            is_off: (last.value - last.truth).abs() > faults::NOISE,
+            is_off: (last.value - last.truth).abs() > causes::NOISE,
         });
     }
     decays

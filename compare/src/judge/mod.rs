@@ -1,6 +1,7 @@
 //! Judges anybody's model of two equal spheres against exact hydrodynamics: its numbers, the laws that they must obey, what it makes of collisions,
 //! and a verdict in words.
 
+mod causes;
 mod collisions;
 mod contact;
 mod curves;
@@ -29,7 +30,7 @@ use crate::{CompareError, Method, Model};
 pub use collisions::{ANGLES_AT, BETAS, BoundComparison, CaseScore, Collisions, Parting};
 pub use contact::Contact;
 pub use curves::{ErrorAt, Group};
-pub use faults::{FAULT, Fault, Kind};
+pub use faults::{Affected, FAULT, Fault, Kind};
 pub use history::{HistoryRow, history_rows};
 pub use laws::{Decay, Law};
 pub use leaderboard::{LeaderRow, is_public, leader_rows, leaderboard, submission_of};
@@ -162,9 +163,9 @@ pub fn judge(
         .iter()
         .filter_map(|(item, points)| contact::fit(*item, points))
         .collect();
-    let mut faults = found_faults(submission, &items, &between, &contacts);
+    let mut faults = causes::faults(submission, &items, &between, &contacts);
     if !faults.is_empty()
-        && let Some(fault) = wrong_gaps(&truth, &calibrated, &points)?
+        && let Some(fault) = causes::wrong_gaps(&truth, &calibrated, &points)?
     {
         faults = vec![fault];
     }
@@ -346,119 +347,6 @@ fn missing(gaps: usize, points: &[Point]) -> Vec<Missing> {
         (at > 0).then_some(Missing { quantity, at })
     };
     expected().filter_map(lacks).collect()
-}
-
-/// How much simpler the faults of what follows must be, to be told in place of those of what is given.
-const SIMPLER: f64 = 3.0;
-
-/// The faults of what is given; or those of what follows from it, where they are far simpler: the loads of a code that answers with velocities may have
-/// one wrong coefficient, which spoils all velocities.
-fn found_faults(
-    submission: &Submission,
-    items: &[(Item, Vec<Point>)],
-    between: &[Point],
-    contacts: &[Contact],
-) -> Vec<Fault> {
-    let between = points::by_item(between);
-    let of = |given: bool| {
-        let mut faults = Vec::new();
-        for (item, points) in items {
-            let Item::Quantity(quantity) = *item else {
-                continue;
-            };
-            let pick = |points: &[Point]| -> Vec<Point> {
-                points
-                    .iter()
-                    .filter(|point| point.given == given)
-                    .copied()
-                    .collect()
-            };
-            let points = pick(points);
-            if points.is_empty() {
-                continue;
-            }
-            let contact = contacts.iter().find(|contact| contact.item == *item);
-            let stated =
-                (submission.answers().iter()).filter_map(|answer| answer.errors.get(quantity));
-            let stated = stated.fold(0.0, f64::max);
-            let between = between.iter().find(|(other, _)| other == item);
-            let between = between.map_or(Vec::new(), |(_, points)| pick(points));
-            faults.extend(faults::of_quantity(
-                (quantity, &points),
-                &between,
-                contact,
-                stated,
-            ));
-        }
-        let mut faults = faults::joined(faults::merged(faults::exchanged(faults, items)), items);
-        faults.sort_by(|a, b| b.worst().0.total_cmp(&a.worst().0));
-        faults
-    };
-    let (mut given, follow) = (of(true), of(false));
-    let vagueness = |faults: &[Fault]| faults.iter().map(Fault::vagueness).sum::<f64>();
-    // All that is given is in what follows: nothing is left out with it.
-    let quantities = items
-        .iter()
-        .filter(|(item, _)| matches!(item, Item::Quantity(_)));
-    let (told, followed): (Vec<_>, Vec<_>) =
-        quantities.partition(|(_, points)| points.iter().all(|point| point.given));
-    let follows_whole = told.len() == followed.len();
-    if follows_whole && !follow.is_empty() && SIMPLER * vagueness(&follow) <= vagueness(&given) {
-        return follow;
-    }
-    // Velocities do not show by themselves that lubrication is missing.
-    if given.iter().any(|fault| fault.vagueness() > 1.0) {
-        given.extend(
-            follow
-                .into_iter()
-                .filter(|fault| fault.kind == Kind::NoLubrication),
-        );
-        given = faults::merged(given);
-        given.sort_by(|a, b| b.worst().0.total_cmp(&a.worst().0));
-    }
-    given
-}
-
-/// The one fault of a submission whose gaps are not what they should be (in diameters, half of them, distances of the centres), if all that it gives fits at other gaps.
-fn wrong_gaps(
-    truth: &Truth,
-    said: &[(Gap, Values)],
-    points: &[Point],
-) -> Result<Option<Fault>, SceneError> {
-    let meanings = [Kind::GapUnit(2.0), Kind::GapUnit(0.5), Kind::Distance];
-    let meant = |kind: Kind, gap: f64| match kind {
-        Kind::GapUnit(factor) => factor * gap,
-        _ => gap - 2.0,
-    };
-    let items: Vec<Item> = points::by_item(points)
-        .into_iter()
-        .map(|(item, _)| item)
-        .collect();
-    for kind in meanings {
-        let moved: Vec<(Gap, Values)> = (said.iter())
-            .filter_map(|(gap, values)| {
-                Some((Gap::new(meant(kind, gap.eps())).ok()?, values.clone()))
-            })
-            .collect();
-        if moved.len() < said.len().max(2) {
-            continue;
-        }
-        let fits = truth.points(&moved)?;
-        if fits
-            .iter()
-            .filter(|point| point.given)
-            .all(|point| !point.is_beyond(FAULT))
-        {
-            let fault = Fault {
-                kind,
-                items,
-                worst_of: vec![faults::worst(points)],
-                numbers: vec![kind.number()],
-            };
-            return Ok(Some(fault));
-        }
-    }
-    Ok(None)
 }
 
 #[cfg(test)]

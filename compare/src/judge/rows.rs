@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::points::{Point, TRUST, by_item, trusted_down_to};
-use super::{LeaderRow, Scorecard, faults};
+use super::{Affected, LeaderRow, Scorecard, faults};
 use crate::columns::columns;
 use crate::numbers::{few_digits, written};
 
@@ -272,13 +272,9 @@ impl Scorecard {
             );
         }
         for fault in &self.faults {
-            for (item, number) in fault.items.iter().zip(&fault.numbers) {
-                table.add(
-                    "fault",
-                    format!("{}: {item}", fault.kind.name()),
-                    *number,
-                    "-",
-                );
+            for Affected { item, number, .. } in &fault.of {
+                let case = format!("{}: {item}", fault.kind.name());
+                table.add("fault", case, *number, "-");
             }
         }
         table.add(

@@ -48,7 +48,7 @@ fn judged(submission: Submission) -> Scorecard {
 
 /// The faults by name, with the names of what is wrong.
 fn named(card: &Scorecard) -> Vec<(&'static str, Vec<String>)> {
-    let items = |fault: &Fault| fault.items.iter().map(ToString::to_string).collect();
+    let items = |fault: &Fault| fault.items().iter().map(ToString::to_string).collect();
     card.faults
         .iter()
         .map(|fault| (fault.kind.name(), items(fault)))
@@ -126,7 +126,7 @@ fn val_each_broken_copy_of_exact_loads_is_told_apart_by_name() {
         card.faults[0].kind.name(),
         "wrong coefficient of lubrication"
     );
-    assert_eq!(card.faults[0].items.len(), 4);
+    assert_eq!(card.faults[0].items().len(), 4);
     assert!(
         verdict(&card).contains("have 2.25 where 3 belongs"),
         "{}",
@@ -140,7 +140,7 @@ fn val_each_broken_copy_of_exact_loads_is_told_apart_by_name() {
     }));
     assert_eq!(card.faults.len(), 1, "{:?}", named(&card));
     assert_relative_eq!(card.faults[0].kind.number(), 2.0, epsilon = 1e-9);
-    assert_eq!(card.faults[0].items.len(), 8);
+    assert_eq!(card.faults[0].items().len(), 8);
     assert!(
         verdict(&card).contains("(torques) are 2 times"),
         "{}",

@@ -190,7 +190,7 @@ impl<'a> Judged<'a> {
             faults: (card.faults.iter())
                 .map(|fault| JudgedFault {
                     kind: fault.kind.name(),
-                    items: fault.items.iter().map(ToString::to_string).collect(),
+                    items: fault.items().iter().map(ToString::to_string).collect(),
                     number: fault.kind.number(),
                     worst_error: fault.worst().0,
                     at_gap: fault.worst().1,
