@@ -2,17 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod program;
 
-fn squirmers(out: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_squirmers"))
-        .args(arguments)
-        .arg("--out")
-        .arg(out)
-        .output()
-        .unwrap()
-}
+use std::path::{Path, PathBuf};
+
+use program::squirmers;
 
 fn peer(name: &str) -> String {
     concat!(env!("CARGO_MANIFEST_DIR"), "/../fixtures/peers/").to_owned() + name

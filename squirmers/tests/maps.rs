@@ -6,17 +6,12 @@
 #[cfg(target_os = "linux")]
 mod memory;
 
+mod program;
+
 use std::path::Path;
 use std::process::{Command, Output};
 
-fn squirmers(out: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_squirmers"))
-        .args(arguments)
-        .arg("--out")
-        .arg(out)
-        .output()
-        .unwrap()
-}
+use program::squirmers;
 
 fn text(out: &Path, file: &str) -> String {
     std::fs::read_to_string(out.join(file)).unwrap()

@@ -2,17 +2,11 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
-use std::path::Path;
-use std::process::{Command, Output};
+mod program;
 
-fn squirmers(out: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_squirmers"))
-        .args(arguments)
-        .arg("--out")
-        .arg(out)
-        .output()
-        .unwrap()
-}
+use std::path::Path;
+
+use program::squirmers;
 
 fn text(out: &Path, file: &str) -> String {
     std::fs::read_to_string(out.join(file)).unwrap()

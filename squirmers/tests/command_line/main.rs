@@ -11,17 +11,13 @@ mod refusals;
 #[path = "../memory/mod.rs"]
 mod memory;
 
-use std::path::Path;
-use std::process::{Command, Output};
+#[path = "../program/mod.rs"]
+mod program;
 
-fn squirmers(out: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_squirmers"))
-        .args(arguments)
-        .arg("--out")
-        .arg(out)
-        .output()
-        .unwrap()
-}
+use std::path::Path;
+use std::process::Command;
+
+use program::squirmers;
 
 /// Runs `arguments`, which must be refused in one line that contains `named`, leaving no file.
 fn refused(arguments: &[&str], named: &str) {
