@@ -131,16 +131,16 @@ fn continuity(system: &mut impl Equations, n: usize, parity: Parity, fields: &Fi
 fn boundary_velocities(geometry: Geometry, modes: usize) -> Vec<Boundary> {
     let on_axis = Surface::new(geometry, 0);
     let off_axis = Surface::new(geometry, 1);
-    let (values, radial) = (on_axis.legendre(modes), off_axis.legendre(modes));
+    let (values, radial) = (on_axis.legendre(modes, 2), off_axis.legendre(modes, 2));
     let translation = Boundary {
-        axial: values.value[0].iter().map(|v| -v).collect(),
+        axial: values.derivative(0)[0].iter().map(|v| -v).collect(),
         radial: vec![0.0; geometry.degree + 1],
     };
     let slip = (1..=modes).map(|k| {
         let weight = 2.0 / (k * (k + 1)) as f64;
-        let slope = &values.first[k];
+        let slope = &values.derivative(1)[k];
         let square = on_axis.times_cosine(&on_axis.times_cosine(slope));
-        let tangent = off_axis.times_cosine(&radial.first[k]);
+        let tangent = off_axis.times_cosine(&radial.derivative(1)[k]);
         Boundary {
             axial: combine(weight, slope, -weight, &square),
             radial: tangent.iter().map(|v| weight * v).collect(),

@@ -13,7 +13,7 @@
 //! ```text
 //! (r d/dr + 1/2) psi_n^m      = [ -(n-m+1) psi_(n+1) + (n+m) psi_(n-1) ]^m / 2
 //! d/dz           psi_n^m      = (n+1/2) psi_n^m - [ (n-m+1) psi_(n+1) + (n+m) psi_(n-1) ]^m / 2   (cosh <-> sinh)
-//! d/drho         psi_n^0      = psi_n^1 - [ psi_(n+1) + psi_(n-1) ]^1 / 2
+//! (d/drho - m/rho) psi_n^m    = [ psi_n - (psi_(n+1) + psi_(n-1)) / 2 ]^(m+1)
 //! (d/drho + (m+1)/rho) psi_n^(m+1) = -(n-m)(n+m+1) psi_n^m + [ (n-m)(n-m+1) psi_(n+1) + (n+m+1)(n+m) psi_(n-1) ]^m / 2
 //! ```
 //!
@@ -72,7 +72,7 @@ pub fn axial_derivative(n: usize, m: usize) -> Stencil {
     }
 }
 
-/// `d/drho` of a harmonic of order 0, as a harmonic of order 1.
+/// `d/drho - m/rho` of a harmonic of order `m`, as one of order `m + 1`, for any `m`.
 pub fn raising_derivative() -> Stencil {
     Stencil {
         below: -0.5,
@@ -121,12 +121,12 @@ pub fn in_next_derivative(n: usize) -> Stencil {
     }
 }
 
-/// `sin^2(eta)` times a series in `P_n'`, rewritten in `P_n`.
-pub fn sine_squared_lowered(n: usize) -> Stencil {
-    let n = n as f64;
+/// `sin^2(eta)` times a series in `P_n^(m)`, rewritten in `P_n^(m-1)`.
+pub fn sine_squared_lowered(n: usize, m: usize) -> Stencil {
+    let (n, m) = (n as f64, m as f64);
     Stencil {
-        below: -(n - 1.0) * n / (2.0 * n - 1.0),
+        below: -(n - m) * (n - m + 1.0) / (2.0 * n - 1.0),
         at: 0.0,
-        above: (n + 1.0) * (n + 2.0) / (2.0 * n + 3.0),
+        above: (n + m) * (n + m + 1.0) / (2.0 * n + 3.0),
     }
 }

@@ -5,7 +5,7 @@
 //! the generating function of the Legendre polynomials and its derivatives by `mu`,
 //!
 //! ```text
-//! S^(1/2) rho^m = {-1/2, sinh(alpha), 2 sinh^2(alpha)}_m  sin^m(eta)  Σ_(n>=m) g_n P_n^(m)(mu),
+//! S^(1/2) rho^m = sinh^m(alpha) / [(1/2)(3/2)...((2m-3)/2)]  sin^m(eta)  Σ_(n>=m) g_n P_n^(m)(mu),   -1/2 for m = 0,
 //! g_n = sqrt(2) e^(-(n+1/2) alpha) [4 e^alpha + 2 (2n-1) sinh(alpha)] / ((2n-1)(2n+3)),
 //! ```
 //!
@@ -26,18 +26,18 @@ pub struct Surface {
     above: Vec<f64>,
 }
 
-/// `P_k(x)`, `P_k'(x)`, `P_k''(x)` times `S^(1/2) rho^m`, for `k = 0, 1, ...`.
-pub struct LegendreSeries {
-    /// `P_k(x)`.
-    pub value: Vec<Vec<f64>>,
-    /// `P_k'(x)`.
-    pub first: Vec<Vec<f64>>,
-    /// `P_k''(x)`.
-    pub second: Vec<Vec<f64>>,
+/// The derivatives `P_k^(j)(x)` times `S^(1/2) rho^m`, for `k = 0, 1, ...`, one list for each `j`.
+pub struct LegendreSeries(Vec<Vec<Vec<f64>>>);
+
+impl LegendreSeries {
+    /// The derivatives of one order `j`, by degree.
+    pub fn derivative(&self, j: usize) -> &[Vec<f64>] {
+        &self.0[j]
+    }
 }
 
 impl Surface {
-    /// Series of azimuthal order `order` (0, 1 or 2).
+    /// Series of azimuthal order `order`.
     pub fn new(geometry: Geometry, order: usize) -> Self {
         let mut surface = Self {
             geometry,
@@ -111,40 +111,40 @@ impl Surface {
         }
     }
 
-    /// Legendre polynomials of `x` and their derivatives, of degrees 0 to `highest`.
-    pub fn legendre(&self, highest: usize) -> LegendreSeries {
+    /// Legendre polynomials of `x`, of degrees 0 to `highest`, and their derivatives up to the order `most`.
+    pub fn legendre(&self, highest: usize, most: usize) -> LegendreSeries {
         let zero = vec![0.0; self.unit.len()];
-        let mut series = LegendreSeries {
-            value: vec![self.unit.clone(), self.times_cosine(&self.unit)],
-            first: vec![zero.clone(), self.unit.clone()],
-            second: vec![zero.clone(), zero],
-        };
+        let mut series: Vec<Vec<Vec<f64>>> = (0..=most)
+            .map(|j| match j {
+                0 => vec![self.unit.clone(), self.times_cosine(&self.unit)],
+                1 => vec![zero.clone(), self.unit.clone()],
+                _ => vec![zero.clone(), zero.clone()],
+            })
+            .collect();
         for k in 1..highest {
             let degree = k as f64;
             let value = combine(
                 (2.0 * degree + 1.0) / (degree + 1.0),
-                &self.times_cosine(&series.value[k]),
+                &self.times_cosine(&series[0][k]),
                 -degree / (degree + 1.0),
-                &series.value[k - 1],
+                &series[0][k - 1],
             );
-            // P_(k+1)' = x P_k' + (k+1) P_k, and its derivative.
-            let first = combine(
-                1.0,
-                &self.times_cosine(&series.first[k]),
-                degree + 1.0,
-                &series.value[k],
-            );
-            let second = combine(
-                1.0,
-                &self.times_cosine(&series.second[k]),
-                degree + 2.0,
-                &series.first[k],
-            );
-            series.value.push(value);
-            series.first.push(first);
-            series.second.push(second);
+            // P_(k+1)^(j) = x P_k^(j) + (k+j) P_k^(j-1).
+            let derivatives: Vec<Vec<f64>> = (1..=most)
+                .map(|j| {
+                    let below = &series[j - 1][k];
+                    let along = self.times_cosine(&series[j][k]);
+                    combine(1.0, &along, degree + j as f64, below)
+                })
+                .collect();
+            for (of, next) in series
+                .iter_mut()
+                .zip(std::iter::once(value).chain(derivatives))
+            {
+                of.push(next);
+            }
         }
-        series
+        LegendreSeries(series)
     }
 }
 
@@ -175,10 +175,10 @@ pub fn apply(series: &[f64], order: usize, stencil: impl Fn(usize) -> Stencil) -
 /// `S^(1/2) rho^m` in `sin^m(eta) P_n^(m)`: the module's `g_n` with its prefactor.
 fn unit(geometry: &Geometry, order: usize) -> Vec<f64> {
     let Geometry { alpha, sinh, .. } = *geometry;
-    let prefactor = match order {
-        0 => -0.5,
-        1 => sinh,
-        _ => 2.0 * sinh * sinh,
+    let prefactor = if order == 0 {
+        -0.5
+    } else {
+        (1..order).fold(sinh, |product, j| product * sinh / (j as f64 - 0.5))
     };
     (0..=geometry.degree)
         .map(|n| {

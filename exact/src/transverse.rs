@@ -1,13 +1,15 @@
-//! Flow of azimuthal order 1: spheres that move, turn or squirm across their line of centres.
+//! Flow of an azimuthal order `m` from 1 on: spheres that move, turn or squirm across their line of centres.
 //!
 //! With lengths in units of `c` and `t = x`,
 //!
 //! ```text
-//! p = q cos(phi),  u_z = (z q/2 + w) cos(phi),
-//! u_rho = (rho q + b + a)/2 cos(phi),  u_phi = (b - a)/2 sin(phi),
-//! L_1 q = L_1 w = L_0 a = L_2 b = 0,
-//! 3 q + r dq/dr + da/drho + (d/drho + 2/rho) b + 2 dw/dz = 0
+//! p = q cos(m phi),  u_z = (z q/2 + w) cos(m phi),
+//! u_rho = (rho q + b + a)/2 cos(m phi),  u_phi = (b - a)/2 sin(m phi),
+//! L_m q = L_m w = L_(m-1) a = L_(m+1) b = 0,
+//! 3 q + r dq/dr + (d/drho - (m-1)/rho) a + (d/drho + (m+1)/rho) b + 2 dw/dz = 0
 //! ```
+//!
+//! Forces and torques are of order 1 alone; the higher orders, which have none, belong to the flow and to its rate of work.
 //!
 //! (Dean & O'Neill, *Mathematika* 10 (1963) 13; O'Neill, ibid. 11 (1964) 67; Goldman, Cox & Brenner,
 //! *Chem. Eng. Sci.* 21 (1966) 1151). Force on the fluid `4 pi sqrt(2) c Σ a_n^+` along `t`, torque
@@ -60,19 +62,24 @@ impl Fields {
         [self.axial, self.pressure, self.mean, self.second]
     }
 
-    /// Of a flow of one parity.
-    pub fn new(parity: Parity) -> Self {
+    /// Of a flow of one azimuthal order, from 1 on, and of one parity.
+    pub fn new(order: usize, parity: Parity) -> Self {
         let field = |index, order, envelope| Field {
             index,
             order,
             envelope,
         };
         Self {
-            axial: field(0, 1, parity.flipped()),
-            pressure: field(1, 1, parity),
-            mean: field(2, 0, parity),
-            second: field(3, 2, parity),
+            axial: field(0, order, parity.flipped()),
+            pressure: field(1, order, parity),
+            mean: field(2, order - 1, parity),
+            second: field(3, order + 1, parity),
         }
+    }
+
+    /// The azimuthal order of the flow.
+    pub fn order(&self) -> usize {
+        self.pressure.order
     }
 }
 
@@ -101,7 +108,7 @@ pub struct Boundary {
 impl Transverse {
     /// Solves for translation, rotation and the slip modes of `set`.
     pub fn solve(geometry: Geometry, parity: Parity, set: LoadSet) -> Result<Self, ExactError> {
-        let fields = Fields::new(parity);
+        let fields = Fields::new(1, parity);
         let cases = boundary_velocities(geometry, set);
         let mut system = System::new(geometry, FIELDS);
         assemble(&mut system, parity, &fields);
@@ -161,15 +168,20 @@ pub fn assemble(system: &mut impl Equations, parity: Parity, fields: &Fields) {
 
 /// Those of one degree.
 pub fn assemble_degree(system: &mut impl Equations, n: usize, parity: Parity, fields: &Fields) {
-    if n == 0 {
+    let m = fields.order();
+    if n < m {
         system.absent(n, CONTINUITY, fields.pressure);
         system.absent(n, AXIAL, fields.axial);
     } else {
         continuity(system, n, parity, fields);
         axial_velocity(system, n, fields);
     }
-    velocity_difference(system, n, fields);
-    if n < 2 {
+    if n + 1 < m {
+        system.absent(n, DIFFERENCE, fields.mean);
+    } else {
+        velocity_difference(system, n, fields);
+    }
+    if n < m + 1 {
         system.absent(n, SUM, fields.second);
     } else {
         velocity_sum(system, n, fields);
@@ -177,139 +189,175 @@ pub fn assemble_degree(system: &mut impl Equations, n: usize, parity: Parity, fi
 }
 
 fn continuity(system: &mut impl Equations, n: usize, parity: Parity, fields: &Fields) {
+    let m = fields.order();
     for (field, weights) in [
-        (fields.pressure, divergence_of_position_times(n, 1)),
+        (fields.pressure, divergence_of_position_times(n, m)),
         (fields.mean, raising_derivative()),
-        (fields.second, lowering_derivative(n, 1)),
-        (fields.axial, axial_derivative(n, 1).scaled(2.0)),
+        (fields.second, lowering_derivative(n, m)),
+        (fields.axial, axial_derivative(n, m).scaled(2.0)),
     ] {
         system.in_space(n, CONTINUITY, parity, field, weights);
     }
 }
 
 fn axial_velocity(system: &mut impl Equations, n: usize, fields: &Fields) {
+    let m = fields.order();
     system.on_sphere(n, AXIAL, fields.pressure, |sphere| {
         Stencil::diagonal(0.5 * sphere.sinh)
     });
     system.on_sphere(n, AXIAL, fields.axial, |sphere| {
-        times_denominator(n, 1, sphere.cosh)
+        times_denominator(n, m, sphere.cosh)
     });
 }
 
 /// `u_rho - u_phi = rho q/2 + a`.
 fn velocity_difference(system: &mut impl Equations, n: usize, fields: &Fields) {
+    let m = fields.order();
     system.on_sphere(n, DIFFERENCE, fields.mean, |sphere| {
-        times_denominator(n, 0, sphere.cosh)
+        times_denominator(n, m - 1, sphere.cosh)
     });
     system.on_sphere(n, DIFFERENCE, fields.pressure, |_| {
-        sine_squared_lowered(n).scaled(0.5)
+        sine_squared_lowered(n, m).scaled(0.5)
     });
 }
 
 /// `u_rho + u_phi = rho q/2 + b`.
 fn velocity_sum(system: &mut impl Equations, n: usize, fields: &Fields) {
+    let m = fields.order();
     system.on_sphere(n, SUM, fields.second, |sphere| {
-        times_denominator(n, 2, sphere.cosh)
+        times_denominator(n, m + 1, sphere.cosh)
     });
     system.on_sphere(n, SUM, fields.pressure, |_| {
         in_next_derivative(n).scaled(0.5)
     });
 }
 
-/// Legendre series of the three orders that a transverse boundary velocity needs.
-struct Basis {
-    plain: Surface,
-    once: Surface,
-    twice: Surface,
-    on_axis: LegendreSeries,
-    off_axis: LegendreSeries,
-    doubly: LegendreSeries,
+/// Legendre series of the three orders that a boundary velocity of order `m` needs.
+pub struct Basis {
+    order: usize,
+    lower: Surface,
+    same: Surface,
+    upper: Surface,
+    lower_series: LegendreSeries,
+    same_series: LegendreSeries,
+    upper_series: LegendreSeries,
 }
 
 impl Basis {
-    fn new(geometry: Geometry, modes: usize) -> Self {
-        let [plain, once, twice] = [0, 1, 2].map(|order| Surface::new(geometry, order));
+    /// For the slip modes 1 to `modes` in the azimuthal order `order`, from 1 on.
+    pub fn new(geometry: Geometry, order: usize, modes: usize) -> Self {
+        let [lower, same, upper] = [order - 1, order, order + 1].map(|m| Surface::new(geometry, m));
         Self {
-            on_axis: plain.legendre(modes),
-            off_axis: once.legendre(modes),
-            doubly: twice.legendre(modes),
-            plain,
-            once,
-            twice,
+            order,
+            lower_series: lower.legendre(modes, order + 1),
+            same_series: same.legendre(modes, order + 1),
+            upper_series: upper.legendre(modes, order + 1),
+            lower,
+            same,
+            upper,
         }
     }
+
+    /// `P_k^(m-1)`, `P_k^(m)` and `P_k^(m+1)`, of which the slip is made, in the order of the series that needs them.
+    fn lower(&self, derivative: usize, k: usize) -> &[f64] {
+        &self.lower_series.derivative(derivative)[k]
+    }
+
+    fn same(&self, derivative: usize, k: usize) -> &[f64] {
+        &self.same_series.derivative(derivative)[k]
+    }
+
+    fn upper(&self, derivative: usize, k: usize) -> &[f64] {
+        &self.upper_series.derivative(derivative)[k]
+    }
+
+    /// Translation along `t`, of order 1.
+    pub fn translation(&self) -> Boundary {
+        let zero = vec![0.0; self.same(0, 0).len()];
+        Boundary {
+            axial: zero.clone(),
+            difference: times(2.0, self.lower(0, 0)),
+            sum: zero,
+        }
+    }
+
+    /// Rotation `(d x t) x n`, of order 1, with `d = -z` and `t = x`.
+    pub fn rotation(&self) -> Boundary {
+        Boundary {
+            axial: self.same(0, 0).to_vec(),
+            difference: times(2.0, self.lower(0, 1)),
+            sum: vec![0.0; self.same(0, 0).len()],
+        }
+    }
+
+    /// `-2/(k(k+1)) grad_s [P_k^(m)(x) rho^m cos(m phi)]`, with Legendre's equation used to shorten it. With
+    /// `f = -2 P_k^(m)/(k(k+1))`, `f'` its derivative and `g = 2 (k-m+1)(k+m)/(k(k+1)) P_k^(m-1)`,
+    /// `u_z = -rho^m (m x f + g)`, `u_rho - u_phi = rho^(m-1) [m f (1 - x^2) - x g]`,
+    /// `u_rho + u_phi = -rho^(m+1) (x f' + m f)`.
+    pub fn slip(&self, k: usize) -> Boundary {
+        let m = self.order;
+        let (weight, inner) = self.weights(k);
+        let axial = combine(
+            -weight,
+            &self.same.times_cosine(self.same(m, k)),
+            -inner,
+            self.same(m - 1, k),
+        );
+        let slope = self.lower(m, k);
+        // m x f + g, of which x times is taken.
+        let lower = combine(
+            weight,
+            &self.lower.times_cosine(slope),
+            inner,
+            self.lower(m - 1, k),
+        );
+        let difference = combine(weight, slope, -1.0, &self.lower.times_cosine(&lower));
+        let sum = combine(
+            -weight / m as f64,
+            &self.upper.times_cosine(self.upper(m + 1, k)),
+            -weight,
+            self.upper(m, k),
+        );
+        Boundary {
+            axial,
+            difference,
+            sum,
+        }
+    }
+
+    /// The slip of a squirming mode whose phase is a quarter period further, turned by a quarter about the normal: of order 1
+    /// `-2/(k(k+1)) n x grad_s [P_k'(x) n.y]`. With `f` and `g` as in [`Self::slip`],
+    /// `u_z = m rho^m f`, `u_rho - u_phi = -rho^(m-1) g`, `u_rho + u_phi = rho^(m+1) f'`.
+    pub fn swirl(&self, k: usize) -> Boundary {
+        let m = self.order;
+        let (weight, inner) = self.weights(k);
+        Boundary {
+            axial: times(weight, self.same(m, k)),
+            difference: times(-inner, self.lower(m - 1, k)),
+            sum: times(weight / m as f64, self.upper(m + 1, k)),
+        }
+    }
+
+    /// `-2 m/(k(k+1))` and `2 (k-m+1)(k+m)/(k(k+1))`.
+    fn weights(&self, k: usize) -> (f64, f64) {
+        let among = (k * (k + 1)) as f64;
+        let inner = ((k + 1 - self.order) * (k + self.order)) as f64;
+        (-2.0 / among * self.order as f64, 2.0 * (inner / among))
+    }
+}
+
+fn times(factor: f64, series: &[f64]) -> Vec<f64> {
+    series.iter().map(|v| factor * v).collect()
 }
 
 /// Those of translation, rotation, squirming modes and swirl modes.
 pub fn boundary_velocities(geometry: Geometry, set: LoadSet) -> Vec<Boundary> {
-    let basis = Basis::new(geometry, set.modes.max(set.swirl));
-    let zero = vec![0.0; geometry.degree + 1];
-    let double = |series: &[f64]| series.iter().map(|v| 2.0 * v).collect();
-    let translation = Boundary {
-        axial: zero.clone(),
-        difference: double(&basis.on_axis.value[0]),
-        sum: zero.clone(),
-    };
-    // (d x t) x n, with d = -z and t = x.
-    let rotation = Boundary {
-        axial: basis.off_axis.value[0].clone(),
-        difference: double(&basis.on_axis.value[1]),
-        sum: zero,
-    };
-    let slip = (1..=set.modes).map(|k| slip(&basis, k));
-    let swirl = (1..=set.swirl).map(|k| swirl(&basis, k));
-    [translation, rotation]
+    let basis = Basis::new(geometry, 1, set.modes.max(set.swirl));
+    [basis.translation(), basis.rotation()]
         .into_iter()
-        .chain(slip)
-        .chain(swirl)
+        .chain((1..=set.modes).map(|k| basis.slip(k)))
+        .chain((1..=set.swirl).map(|k| basis.swirl(k)))
         .collect()
-}
-
-/// `-2/(k(k+1)) grad_s [P_k'(x) n.t]`, with Legendre's equation used to shorten it. With
-/// `f = -2 P_k'/(k(k+1))` and `f'` its derivative,
-/// `u_z = -rho (x f + 2 P_k)`, `u_rho - u_phi = f (1 - x^2) - 2 x P_k`,
-/// `u_rho + u_phi = -rho^2 (x f' + f)`.
-fn slip(basis: &Basis, k: usize) -> Boundary {
-    let weight = -2.0 / (k * (k + 1)) as f64;
-    let axial = combine(
-        -weight,
-        &basis.once.times_cosine(&basis.off_axis.first[k]),
-        -2.0,
-        &basis.off_axis.value[k],
-    );
-    let slope = &basis.on_axis.first[k];
-    // x f + 2 P_k, of which x times is taken.
-    let inner = combine(
-        weight,
-        &basis.plain.times_cosine(slope),
-        2.0,
-        &basis.on_axis.value[k],
-    );
-    let difference = combine(weight, slope, -1.0, &basis.plain.times_cosine(&inner));
-    let sum = combine(
-        -weight,
-        &basis.twice.times_cosine(&basis.doubly.second[k]),
-        -weight,
-        &basis.doubly.first[k],
-    );
-    Boundary {
-        axial,
-        difference,
-        sum,
-    }
-}
-
-/// `-2/(k(k+1)) n x grad_s [P_k'(x) n.y]`: the slip of a squirming mode whose transverse heading is
-/// along `y`, turned by a quarter about the normal. With `f` as in [`slip`],
-/// `u_z = rho f`, `u_rho - u_phi = -2 P_k`, `u_rho + u_phi = rho^2 f'`.
-fn swirl(basis: &Basis, k: usize) -> Boundary {
-    let weight = -2.0 / (k * (k + 1)) as f64;
-    let times = |factor: f64, series: &[f64]| series.iter().map(|v| factor * v).collect();
-    Boundary {
-        axial: times(weight, &basis.off_axis.first[k]),
-        difference: times(-2.0, &basis.on_axis.value[k]),
-        sum: times(weight, &basis.doubly.second[k]),
-    }
 }
 
 fn right_hand_sides(geometry: Geometry, cases: &[Boundary]) -> Vec<f64> {

@@ -27,7 +27,8 @@ pub fn axial_rotation(geometry: &Geometry) -> SelfOther {
 /// `XTC1_n, XTC2_n` of the swirl modes 1 to `modes`: torques about `d` by the slip `W_n(x) d x n`.
 pub fn swirl(geometry: &Geometry, modes: usize) -> Vec<SelfOther> {
     let surface = Surface::new(*geometry, 1);
-    let slopes = surface.legendre(modes).first;
+    let series = surface.legendre(modes, 2);
+    let slopes = series.derivative(1);
     (1..=modes)
         .map(|k| {
             let weight = 2.0 / (k * (k + 1)) as f64;

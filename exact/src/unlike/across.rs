@@ -178,7 +178,7 @@ impl<'a> Across<'a> {
     }
 
     fn torque_by_axial_field(&self, sphere: usize, case: usize) -> f64 {
-        let field = transverse::Fields::new(NOMINAL).axial;
+        let field = transverse::Fields::new(1, NOMINAL).axial;
         let dipole = (self.series).charge(sphere, field, self.case(case), Charge::Dipole);
         let Geometry { sinh, cosh, .. } = self.pair.spheres[sphere];
         let height = cosh * (self.scale() / sinh);
@@ -186,7 +186,7 @@ impl<'a> Across<'a> {
     }
 
     fn mean(&self, sphere: usize, case: usize, charge: Charge) -> f64 {
-        let field = transverse::Fields::new(NOMINAL).mean;
+        let field = transverse::Fields::new(1, NOMINAL).mean;
         (self.series).charge(sphere, field, self.case(case), charge)
     }
 }

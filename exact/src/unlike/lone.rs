@@ -89,7 +89,7 @@ fn transverse_values(
     multipoles: &Multipoles,
     lone: &Lone,
 ) -> Vec<Vec<f64>> {
-    let fields = transverse::Fields::new(NOMINAL);
+    let fields = transverse::Fields::new(1, NOMINAL);
     let pressure = multipoles.combine(1, &lone.pressure);
     let along = multipoles.combine(1, &lone.along);
     let mut values = vec![Vec::new(); transverse::FIELDS];
@@ -105,7 +105,7 @@ fn transverse_values(
 /// The rows of the transverse equations on a sphere, with the opposite sign, for fields with these values on it.
 pub fn put_into_equations(pair: &Pair, sphere: usize, values: Vec<Vec<f64>>) -> Vec<f64> {
     let mut flow = Known::new(pair, sphere, values);
-    transverse::assemble(&mut flow, NOMINAL, &transverse::Fields::new(NOMINAL));
+    transverse::assemble(&mut flow, NOMINAL, &transverse::Fields::new(1, NOMINAL));
     flow.rows
 }
 

@@ -188,7 +188,7 @@ impl<'a> Flow<'a> {
         (series, case): (&PairSeries, usize),
     ) -> Self {
         let (mut values, mut slopes) = (vec![Vec::new(); FIELDS], vec![Vec::new(); FIELDS]);
-        for field in Fields::new(NOMINAL).all() {
+        for field in Fields::new(1, NOMINAL).all() {
             let jets = series.jet(sphere, field, case).zip(&lone[field.index]);
             let (value, slope) = jets
                 .enumerate()
@@ -210,7 +210,7 @@ impl<'a> Flow<'a> {
 
     /// Derivatives by `xi` of what the equations on the sphere are rows of.
     fn slopes(&self) -> Components {
-        let fields = Fields::new(NOMINAL);
+        let fields = Fields::new(1, NOMINAL);
         let sphere = &self.pair.spheres[self.sphere];
         let rows = put_into_equations(self.pair, self.sphere, self.slopes.clone());
         let value = |index: usize, n: usize| self.values[index][n];
@@ -231,7 +231,7 @@ impl<'a> Flow<'a> {
     /// `S p n`, with `S n = (mu cosh(alpha) - 1, sinh(alpha) sin(eta))` along `z` and across.
     fn along_the_normal(&self) -> Components {
         let sphere = &self.pair.spheres[self.sphere];
-        let pressure = &self.values[Fields::new(NOMINAL).pressure.index];
+        let pressure = &self.values[Fields::new(1, NOMINAL).pressure.index];
         let along = |n: usize| Stencil {
             at: -1.0,
             ..times_mu(n, 1).scaled(sphere.cosh)
@@ -240,7 +240,7 @@ impl<'a> Flow<'a> {
         let of = |stencil: &dyn Fn(usize) -> Stencil| apply(pressure, 0, stencil);
         [
             of(&along),
-            of(&|n| sine_squared_lowered(n).scaled(sphere.sinh)),
+            of(&|n| sine_squared_lowered(n, 1).scaled(sphere.sinh)),
             of(&|n| in_next_derivative(n).scaled(sphere.sinh)),
         ]
     }

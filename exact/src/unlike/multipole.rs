@@ -119,8 +119,8 @@ mod tests {
             let multipoles = Multipoles::new(pair, active, 5);
             for order in 0..3 {
                 let surface = Surface::new(sphere, order);
-                let legendre = surface.legendre(5);
-                let on_sphere = [&legendre.value, &legendre.first, &legendre.second][order];
+                let legendre = surface.legendre(5, 2);
+                let on_sphere = legendre.derivative(order);
                 for (degree, series) in on_sphere.iter().enumerate() {
                     let expected = surface.over_denominator(series.clone());
                     let found = multipoles.combine(order, &[(1.0, degree)]);

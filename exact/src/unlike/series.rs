@@ -79,7 +79,7 @@ impl Solved {
         let Some(series) = &self.transverse else {
             return along;
         };
-        let fields = transverse::Fields::new(NOMINAL);
+        let fields = transverse::Fields::new(1, NOMINAL);
         let flows: Vec<Lone> = lone::transverse_flows(self.set).collect();
         let answer = |sphere: usize, point: &SurfacePoint, case: usize| {
             let sum = |field: Field| point.sum_of(field.order, series.jet(sphere, field, case));
@@ -142,7 +142,7 @@ fn solve_axial(pair: Pair, set: LoadSet) -> Result<PairSeries, ExactError> {
 
 fn solve_transverse(pair: Pair, set: LoadSet, factor: f64) -> Result<PairSeries, ExactError> {
     let mut system = PairSystem::new(pair, transverse::FIELDS, Tail::of(&pair, factor));
-    transverse::assemble(&mut system, NOMINAL, &transverse::Fields::new(NOMINAL));
+    transverse::assemble(&mut system, NOMINAL, &transverse::Fields::new(1, NOMINAL));
     system.solve(&cases(|active| lone::transverse_rows(&pair, active, set)))
 }
 

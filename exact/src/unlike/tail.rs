@@ -48,7 +48,7 @@ impl Tail {
         if highest <= pair.degree() {
             return None;
         }
-        let fields = Fields::new(NOMINAL);
+        let fields = Fields::new(1, NOMINAL);
         let mut tail = Self {
             sphere: larger,
             fields: fields.all(),
@@ -80,7 +80,7 @@ impl Tail {
     /// The charge of a field beyond, by the values of all fields of the highest degree.
     pub fn charge(&self, field: Field, charge: Charge) -> RowVector4<f64> {
         let kind = Charge::ALL.iter().position(|of| *of == charge);
-        let fields = Fields::new(NOMINAL);
+        let fields = Fields::new(1, NOMINAL);
         let place = CHARGED
             .iter()
             .position(|of| of(&fields).index == field.index);
