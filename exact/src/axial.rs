@@ -21,8 +21,10 @@ use crate::surface::{Surface, combine};
 use crate::system::{Equations, Field, Series, System};
 
 const CONTINUITY: usize = 0;
-const AXIAL: usize = 1;
-const RADIAL: usize = 2;
+/// The equation of the axial velocity on the sphere.
+pub const AXIAL: usize = 1;
+/// That of the radial velocity.
+pub const RADIAL: usize = 2;
 /// Number of fields, and of equations of each degree.
 pub const FIELDS: usize = 3;
 
@@ -38,6 +40,11 @@ pub struct Fields {
 }
 
 impl Fields {
+    /// In the order of their indices.
+    pub fn all(&self) -> [Field; FIELDS] {
+        [self.axial, self.pressure, self.radial]
+    }
+
     /// Of a flow of one parity.
     pub fn new(parity: Parity) -> Self {
         let field = |index, order, envelope| Field {
@@ -63,9 +70,21 @@ pub struct Axial {
 }
 
 /// Boundary velocity times `S^(1/2)`: `u_z` in `P_n`, `u_rho` in `sin(eta) P_n'`.
-struct Boundary {
+pub struct Boundary {
     axial: Vec<f64>,
     radial: Vec<f64>,
+}
+
+impl Boundary {
+    /// The rows of the equations on the sphere, by degree and equation.
+    pub fn rows(&self) -> Vec<f64> {
+        let mut rows = vec![0.0; FIELDS * self.axial.len()];
+        for (n, (axial, radial)) in self.axial.iter().zip(&self.radial).enumerate() {
+            rows[FIELDS * n + AXIAL] = *axial;
+            rows[FIELDS * n + RADIAL] = *radial;
+        }
+        rows
+    }
 }
 
 impl Axial {
@@ -127,8 +146,8 @@ fn continuity(system: &mut impl Equations, n: usize, parity: Parity, fields: &Fi
     }
 }
 
-/// Slip `W_k(x) (x n - d)`, `W_k = 2 P_k'/(k(k+1))`, with `d = -z`; translation with `u = d`.
-fn boundary_velocities(geometry: Geometry, modes: usize) -> Vec<Boundary> {
+/// Translation with `u = d`, then the slip `W_k(x) (x n - d)`, `W_k = 2 P_k'/(k(k+1))`, of the modes 1 to `modes`, with `d = -z`.
+pub fn boundary_velocities(geometry: Geometry, modes: usize) -> Vec<Boundary> {
     let on_axis = Surface::new(geometry, 0);
     let off_axis = Surface::new(geometry, 1);
     let (values, radial) = (on_axis.legendre(modes, 2), off_axis.legendre(modes, 2));

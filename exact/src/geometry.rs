@@ -40,8 +40,7 @@ impl Geometry {
             return Err(ExactError::InvalidGap { eps });
         }
         let alpha = 2.0 * (0.5 * eps.sqrt()).asinh();
-        let e_folds = E_FOLDS + E_FOLDS_PER_MODE * modes as f64;
-        let degree = (factor * (e_folds / alpha + SPARE_TERMS)).ceil() as usize;
+        let degree = (factor * terms_of_velocities(alpha, modes)).ceil() as usize;
         if degree > MAX_TERMS {
             return Err(ExactError::TooManyTerms {
                 eps,
@@ -71,6 +70,11 @@ impl Geometry {
     pub fn mu(&self, cosine: f64) -> f64 {
         (1.0 - cosine * self.cosh) / (self.cosh - cosine)
     }
+}
+
+/// Degree at which the boundary velocities of `modes` squirming modes reach rounding on the sphere `xi = alpha`.
+pub fn terms_of_velocities(alpha: f64, modes: usize) -> f64 {
+    (E_FOLDS + E_FOLDS_PER_MODE * modes as f64) / alpha + SPARE_TERMS
 }
 
 /// Behaviour of the flow under the mirror `z -> -z` between the spheres.

@@ -14,6 +14,7 @@ mod error;
 mod far_field;
 mod field;
 mod fit;
+mod fluid;
 mod geometry;
 mod kinds;
 mod model;

@@ -129,6 +129,27 @@ impl Exact {
         })
     }
 
+    /// Radius of sphere 2 over that of sphere 1.
+    pub(crate) fn ratio(&self) -> f64 {
+        (self.unlike.as_ref()).map_or(1.0, |unlike| unlike.terms.ratio)
+    }
+
+    /// Factor on the number of terms that reach rounding.
+    pub(crate) fn factor(&self) -> f64 {
+        self.factor
+    }
+
+    /// Refuses a pair of other radii.
+    pub(crate) fn check_radii(&self, asked: f64) -> Result<(), SceneError> {
+        let model = self.ratio();
+        #[expect(clippy::float_cmp, reason = "a model is for one ratio, exactly")]
+        if asked == model {
+            Ok(())
+        } else {
+            Err(SceneError::OtherRatio { model, asked })
+        }
+    }
+
     /// Highest degree of the series at `gap` for the loads of `set`.
     ///
     /// # Errors

@@ -172,6 +172,18 @@ pub fn apply(series: &[f64], order: usize, stencil: impl Fn(usize) -> Stencil) -
         .collect()
 }
 
+/// `∫ f g dmu` of two series in `sin^m(eta) P_n^(m)`.
+pub fn product(order: usize, f: &[f64], g: &[f64]) -> f64 {
+    let terms = f.iter().zip(g).enumerate().skip(order);
+    terms
+        .map(|(n, (f, g))| {
+            // (n+m)!/(n-m)!
+            let growth: f64 = (n + 1 - order..=n + order).map(|k| k as f64).product();
+            2.0 / (2.0 * n as f64 + 1.0) * growth * f * g
+        })
+        .sum()
+}
+
 /// `S^(1/2) rho^m` in `sin^m(eta) P_n^(m)`: the module's `g_n` with its prefactor.
 fn unit(geometry: &Geometry, order: usize) -> Vec<f64> {
     let Geometry { alpha, sinh, .. } = *geometry;

@@ -13,7 +13,7 @@
 
 use super::rounding::NearOne;
 use crate::ExactError;
-use crate::geometry::{Geometry, MAX_TERMS};
+use crate::geometry::{Geometry, MAX_TERMS, terms_of_velocities};
 
 /// What a lone sphere's flow leaves on the other one falls off as `exp(-n (alpha_1 + alpha_2))`, loads as its square: this many
 /// e-folds of the former reach rounding.
@@ -40,6 +40,29 @@ impl Pair {
     /// Spheres of radii 1 and `ratio` with gap `eps`; the degree is `factor` times the one at which the flows of
     /// `modes` slip modes reach rounding.
     pub fn new(eps: f64, ratio: f64, modes: usize, factor: f64) -> Result<Self, ExactError> {
+        Self::with_terms(eps, ratio, |alphas| {
+            let e_folds = E_FOLDS + E_FOLDS_PER_MODE * modes as f64;
+            factor * (e_folds / (alphas[0] + alphas[1]) + SPARE_TERMS)
+        })
+    }
+
+    /// The same with `factor` times the degree at which the boundary velocities of `modes` slip modes reach rounding on both spheres.
+    pub fn resolving_velocities(
+        eps: f64,
+        ratio: f64,
+        modes: usize,
+        factor: f64,
+    ) -> Result<Self, ExactError> {
+        Self::with_terms(eps, ratio, |[one, two]| {
+            factor * terms_of_velocities(one.min(two), modes)
+        })
+    }
+
+    fn with_terms(
+        eps: f64,
+        ratio: f64,
+        terms: impl Fn([f64; 2]) -> f64,
+    ) -> Result<Self, ExactError> {
         if !(eps > 0.0 && eps.is_finite()) {
             return Err(ExactError::InvalidGap { eps });
         }
@@ -50,9 +73,7 @@ impl Pair {
             eps * ((2.0 + eps) / (2.0 * distance * ratio)),
         ];
         let alphas = excesses.map(|excess| 2.0 * (0.5 * excess).sqrt().asinh());
-        let e_folds = E_FOLDS + E_FOLDS_PER_MODE * modes as f64;
-        let terms = factor * (e_folds / (alphas[0] + alphas[1]) + SPARE_TERMS);
-        let degree = terms.ceil() as usize;
+        let degree = terms(alphas).ceil() as usize;
         if degree > MAX_TERMS {
             return Err(ExactError::TooManyTerms {
                 eps,

@@ -60,9 +60,7 @@ pub fn axial_rows(pair: &Pair, active: usize, modes: usize) -> Vec<Vec<f64>> {
             values[fields.pressure.index] = q;
             values[fields.axial.index] = w;
         });
-        let mut flow = Known::new(pair, 1 - active, values);
-        axial::assemble(&mut flow, NOMINAL, &fields);
-        flow.rows
+        put_into_axial_equations(pair, 1 - active, values)
     });
     rows.collect()
 }
@@ -72,7 +70,12 @@ pub fn transverse_rows(pair: &Pair, active: usize, set: LoadSet) -> Vec<Vec<f64>
     let multipoles = Multipoles::new(pair, active, set.modes.max(set.swirl).max(1) + 1);
     let rows = transverse_flows(set).map(|lone| {
         let values = transverse_values(pair, active, &multipoles, &lone);
-        put_into_equations(pair, 1 - active, values)
+        put_into_equations(
+            pair,
+            1 - active,
+            values,
+            &transverse::Fields::new(1, NOMINAL),
+        )
     });
     rows.collect()
 }
@@ -103,9 +106,21 @@ fn transverse_values(
 }
 
 /// The rows of the transverse equations on a sphere, with the opposite sign, for fields with these values on it.
-pub fn put_into_equations(pair: &Pair, sphere: usize, values: Vec<Vec<f64>>) -> Vec<f64> {
+pub fn put_into_equations(
+    pair: &Pair,
+    sphere: usize,
+    values: Vec<Vec<f64>>,
+    fields: &transverse::Fields,
+) -> Vec<f64> {
     let mut flow = Known::new(pair, sphere, values);
-    transverse::assemble(&mut flow, NOMINAL, &transverse::Fields::new(1, NOMINAL));
+    transverse::assemble(&mut flow, NOMINAL, fields);
+    flow.rows
+}
+
+/// The same of the axisymmetric equations.
+pub fn put_into_axial_equations(pair: &Pair, sphere: usize, values: Vec<Vec<f64>>) -> Vec<f64> {
+    let mut flow = Known::new(pair, sphere, values);
+    axial::assemble(&mut flow, NOMINAL, &axial::Fields::new(NOMINAL));
     flow.rows
 }
 

@@ -23,12 +23,14 @@ use scene::LoadSet;
 use super::geometry::Pair;
 use super::lone::{put_into_equations, rigid_values, transverse_rows};
 use super::system::{NOMINAL, PairSeries};
+use crate::geometry::Geometry;
 use crate::stencil::{Stencil, in_next_derivative, sine_squared_lowered, times_mu};
-use crate::surface::{Surface, apply};
+use crate::surface::{Surface, apply, product};
+use crate::system::Field;
 use crate::transverse::{AXIAL, Boundary, DIFFERENCE, FIELDS, Fields, SUM, boundary_velocities};
 
-/// Components along `z`, across, and across again, of azimuthal orders 1, 0 and 2.
-type Components = [Vec<f64>; 3];
+/// Components of a flow of order `m` along `z`, across, and across again, of azimuthal orders `m`, `m - 1` and `m + 1`.
+pub type Components = [Vec<f64>; 3];
 
 const ORDERS: [usize; 3] = [1, 0, 2];
 
@@ -154,21 +156,28 @@ fn tractions(
     })
 }
 
-/// `∫ f g dmu` of two series in `sin^m(eta) P_n^(m)`.
-fn product(order: usize, f: &[f64], g: &[f64]) -> f64 {
-    let terms = f.iter().zip(g).enumerate().skip(order);
-    terms
-        .map(|(n, (f, g))| {
-            let n = n as f64;
-            // (n+m)!/(n-m)!
-            let growth = match order {
-                0 => 1.0,
-                1 => n * (n + 1.0),
-                _ => (n - 1.0) * n * (n + 1.0) * (n + 2.0),
-            };
-            2.0 / (2.0 * n + 1.0) * growth * f * g
-        })
-        .sum()
+/// Derivatives by `xi` of what the equations on a sphere are rows of, that is of `s^(1/2)` times the velocity, by the values of the fields on
+/// it and their derivatives.
+pub fn row_slopes(
+    (pair, sphere): (&Pair, usize),
+    values: &[Vec<f64>],
+    slopes: &[Vec<f64>],
+    fields: &Fields,
+) -> Components {
+    let rows = put_into_equations(pair, sphere, slopes.to_vec(), fields);
+    let Geometry { sinh, cosh, .. } = pair.spheres[sphere];
+    let value = |of: Field, n: usize| values[of.index][n];
+    let of = |row: usize, of_factors: &dyn Fn(usize) -> f64| {
+        let rows = equation(&rows, row).into_iter().enumerate();
+        rows.map(|(n, row)| of_factors(n) - row).collect()
+    };
+    [
+        of(AXIAL, &|n| {
+            0.5 * cosh * value(fields.pressure, n) + sinh * value(fields.axial, n)
+        }),
+        of(DIFFERENCE, &|n| sinh * value(fields.mean, n)),
+        of(SUM, &|n| sinh * value(fields.second, n)),
+    ]
 }
 
 /// The fields on a sphere at rest, and their derivatives by `xi`.
@@ -208,24 +217,14 @@ impl<'a> Flow<'a> {
         }
     }
 
-    /// Derivatives by `xi` of what the equations on the sphere are rows of.
     fn slopes(&self) -> Components {
         let fields = Fields::new(1, NOMINAL);
-        let sphere = &self.pair.spheres[self.sphere];
-        let rows = put_into_equations(self.pair, self.sphere, self.slopes.clone());
-        let value = |index: usize, n: usize| self.values[index][n];
-        let of = |row: usize, of_factors: &dyn Fn(usize) -> f64| {
-            let rows = equation(&rows, row).into_iter().enumerate();
-            rows.map(|(n, row)| of_factors(n) - row).collect()
-        };
-        [
-            of(AXIAL, &|n| {
-                0.5 * sphere.cosh * value(fields.pressure.index, n)
-                    + sphere.sinh * value(fields.axial.index, n)
-            }),
-            of(DIFFERENCE, &|n| sphere.sinh * value(fields.mean.index, n)),
-            of(SUM, &|n| sphere.sinh * value(fields.second.index, n)),
-        ]
+        row_slopes(
+            (self.pair, self.sphere),
+            &self.values,
+            &self.slopes,
+            &fields,
+        )
     }
 
     /// `S p n`, with `S n = (mu cosh(alpha) - 1, sinh(alpha) sin(eta))` along `z` and across.

@@ -193,27 +193,53 @@ pub struct PairSeries {
 }
 
 impl PairSeries {
+    /// Number of right-hand sides.
+    pub fn cases(&self) -> usize {
+        self.series.count()
+    }
+
     /// The charge of a field within `sphere`, as that sees it, itself above.
     pub fn charge(&self, sphere: usize, field: Field, case: usize, charge: Charge) -> f64 {
-        let [even, odd] =
-            PARTS.map(|part| self.series.column((field, place(field.index, part)), case));
-        let [c, s] = PARTS.map(|part| seen(sphere, field, part));
         let geometry = &self.pair.spheres[sphere];
-        let sum: f64 = even
-            .zip(odd)
-            .enumerate()
-            .skip(field.order)
-            .map(|(n, (even, odd))| {
-                let value = c * even / self.envelopes.at(Parity::Even, n)
-                    + s * odd / self.envelopes.at(Parity::Odd, n);
-                let n = n as f64;
-                charge.weight(geometry, n) * value * (-(n + 0.5) * geometry.alpha).exp()
-            })
-            .sum();
+        let sum = self.charge_by(sphere, field, case, |n| charge.weight(geometry, n));
         match &self.tail {
             Some(tail) if tail.sphere == sphere => sum + self.beyond(tail, field, case, charge),
             _ => sum,
         }
+    }
+
+    /// `Σ_n weight(n) f_n^+` of the degrees kept, where `f_n^+` is the factor of `exp(+(n + 1/2) xi)` in what the sphere sees: the part of the
+    /// field that is singular within it.
+    pub fn charge_by(
+        &self,
+        sphere: usize,
+        field: Field,
+        case: usize,
+        weight: impl Fn(f64) -> f64,
+    ) -> f64 {
+        let alpha = self.pair.spheres[sphere].alpha;
+        let singular = self.singular(sphere, field, case).enumerate();
+        let terms = singular.skip(field.order).map(|(n, value)| {
+            let n = n as f64;
+            weight(n) * value * (-(n + 0.5) * alpha).exp()
+        });
+        terms.sum()
+    }
+
+    /// The part of a field that is singular within a sphere, as its values on that sphere, degree by degree, as that sphere sees them.
+    pub fn singular(
+        &self,
+        sphere: usize,
+        field: Field,
+        case: usize,
+    ) -> impl Iterator<Item = f64> + '_ {
+        let [even, odd] =
+            PARTS.map(|part| self.series.column((field, place(field.index, part)), case));
+        let [c, s] = PARTS.map(|part| seen(sphere, field, part));
+        even.zip(odd).enumerate().map(move |(n, (even, odd))| {
+            c * even / self.envelopes.at(Parity::Even, n)
+                + s * odd / self.envelopes.at(Parity::Odd, n)
+        })
     }
 
     /// A field on a sphere and its derivative by `xi`, degree by degree, as that sphere sees itself above.
