@@ -175,7 +175,16 @@ struct Order {
     columns: Vec<(usize, Phase)>,
     /// By degree from `order` on, then by column.
     factors: Vec<Factors>,
+    /// `P_(n+1)^(m) = a mu P_n^(m) - b P_(n-1)^(m)` for each degree: divisions would take half of the time.
+    recurrence: Vec<[f64; 2]>,
+    /// For every stretch of degrees, how much it and those after it can bring at most where the exponentials are 1.
+    bounds: Vec<Factors>,
 }
+
+/// Degrees between two looks at what is still to come.
+const STRETCH: usize = 16;
+/// What is left out of a sum: far below rounding of velocities of order 1.
+const NEGLIGIBLE: f64 = 1e-18;
 
 impl<const K: usize> Harmonics<K> {
     /// Of these functions.
@@ -196,9 +205,12 @@ impl<const K: usize> Harmonics<K> {
                     .map(move |(_, series)| at(series))
                     .collect::<Vec<_>>()
             });
+            let factors: Vec<Factors> = factors.collect();
             Some(Order {
                 order,
-                factors: factors.collect(),
+                recurrence: (order..length).map(|n| recurrence(order, n)).collect(),
+                bounds: bounds(order, all.len(), &factors),
+                factors,
                 columns: all.iter().map(|(column, _)| *column).collect(),
             })
         });
@@ -214,8 +226,8 @@ impl<const K: usize> Harmonics<K> {
         for of in &self.orders {
             let sums = &mut sums[..of.columns.len()];
             sums.fill(0.0);
-            of.sum(place, sums);
             let front = place.denominator.sqrt() * place.sine.powi(of.order as i32);
+            of.sum(place, NEGLIGIBLE / front.max(NEGLIGIBLE), sums);
             let [cos, sin] = multiple(place.azimuth, of.order);
             for (&(k, phase), sum) in of.columns.iter().zip(sums) {
                 let angular = match phase {
@@ -230,8 +242,8 @@ impl<const K: usize> Harmonics<K> {
 }
 
 impl Order {
-    /// The sums over the degrees, each series by itself.
-    fn sum(&self, place: &Place, sums: &mut [f64]) {
+    /// The sums over the degrees, each series by itself, to the accuracy `negligible`.
+    fn sum(&self, place: &Place, negligible: f64, sums: &mut [f64]) {
         let m = self.order as f64;
         let reach = [place.half_width - place.xi, place.half_width + place.xi];
         let steps = reach.map(|reach| (-reach).exp());
@@ -242,17 +254,53 @@ impl Order {
                 .map(|j| (2 * j - 1) as f64)
                 .product::<f64>(),
         );
-        for (index, factors) in self.factors.chunks_exact(sums.len()).enumerate() {
+        let degrees = self.factors.chunks_exact(sums.len()).zip(&self.recurrence);
+        for (index, (factors, [a, b])) in degrees.enumerate() {
+            if index.is_multiple_of(STRETCH) {
+                let [up, down] = self.bounds[index / STRETCH];
+                if up * decays[0] + down * decays[1] < negligible {
+                    return;
+                }
+            }
             let weights = decays.map(|decay| decay * legendre);
             for (sum, [up, down]) in sums.iter_mut().zip(factors) {
                 *sum += up * weights[0] + down * weights[1];
             }
-            let n = (self.order + index) as f64;
-            let next = ((2.0 * n + 1.0) * place.mu * legendre - (n + m) * below) / (n - m + 1.0);
-            (below, legendre) = (legendre, next);
+            (below, legendre) = (legendre, a * place.mu * legendre - b * below);
             decays = [decays[0] * steps[0], decays[1] * steps[1]];
         }
     }
+}
+
+fn recurrence(order: usize, degree: usize) -> [f64; 2] {
+    let (m, n) = (order as f64, degree as f64);
+    [2.0 * n + 1.0, n + m].map(|factor| factor / (n - m + 1.0))
+}
+
+/// Sums of the largest factors of each degree times `P_n^(m)(1)`, from each stretch of degrees on.
+fn bounds(order: usize, columns: usize, factors: &[Factors]) -> Vec<Factors> {
+    let mut largest = (1..=order).map(|j| (2 * j - 1) as f64).product::<f64>();
+    let of_degrees: Vec<Factors> = (factors.chunks_exact(columns).enumerate())
+        .map(|(index, factors)| {
+            let of = [0, 1].map(|k| factors.iter().map(|f| f[k].abs()).fold(0.0, f64::max));
+            let bound = of.map(|f| f * largest);
+            // P_(n+1)^(m)(1) by P_n^(m)(1).
+            let n = (order + index) as f64;
+            largest *= (n + 1.0 + order as f64) / (n + 1.0 - order as f64);
+            bound
+        })
+        .collect();
+    let mut sum = [0.0; 2];
+    let mut bounds: Vec<Factors> = (of_degrees.chunks(STRETCH).rev())
+        .map(|stretch| {
+            for bound in stretch {
+                sum = [sum[0] + bound[0], sum[1] + bound[1]];
+            }
+            sum
+        })
+        .collect();
+    bounds.reverse();
+    bounds
 }
 
 /// Cosine and sine of `m` times an angle.
