@@ -11,7 +11,7 @@ use exact::Exact;
 use gauss_quad::legendre::GaussLegendre;
 use pair::pair;
 use scene::nalgebra::{Matrix3, Vector3};
-use scene::stress::{Block, Cause, Stresses, lone_stresslet};
+use scene::stress::{Block, Cause, StressTable, Stresses, lone_stresslet};
 use scene::{Flow, Fluid, Gap, LoadSet, MovingPair, SelfOther};
 
 fn model(ratio: f64) -> Exact {
@@ -278,4 +278,31 @@ fn val_a_lone_squirmer_has_the_power_and_the_stresslet_of_blake() {
         assert!((found.stresslets[k] - expected).amax() < 1e-5 * expected.amax());
     }
     assert!((found.dissipation / (2.0 * power) - 1.0).abs() < 1e-5);
+}
+
+#[test]
+fn val_a_table_of_stresses_is_the_direct_solve_at_any_gap() {
+    for ratio in [1.0, 0.5] {
+        let model = model(ratio);
+        let ends = [0.004, 12.0].map(|gap| Gap::new(gap).unwrap());
+        let table = StressTable::build(&model, ends, (2, 2), 1e-10).unwrap();
+        for k in 0..30 {
+            let gap = Gap::new(0.004 * 3000.0_f64.powf(f64::from(k) / 29.0)).unwrap();
+            let (found, truth) = (table.at(gap).unwrap(), model.stresses(gap, 2, 2).unwrap());
+            for (a, b) in found.columns().zip(truth.columns()) {
+                assert!(
+                    (a - b).abs() < 1e-9 * b.abs().max(1.0),
+                    "{}: {a} {b}",
+                    gap.eps()
+                );
+            }
+        }
+        println!(
+            "{} gaps, {:.1e}",
+            table.evaluations(),
+            table.interpolation_error()
+        );
+        assert!(table.at(Gap::new(0.003).unwrap()).is_err());
+        assert!(table.at(Gap::new(12.1).unwrap()).is_err());
+    }
 }

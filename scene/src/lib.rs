@@ -11,6 +11,7 @@
 
 pub mod active_loads;
 pub mod balance;
+mod chebyshev;
 mod effects;
 pub mod elementary;
 mod error;

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::chebyshev::{FIRST_DEGREE, MAX_DEGREE, coefficients, points, tail, variation};
 use super::columns::Group;
 use super::parts::{Piece, Stretch};
 use super::tally::Tally;
 use super::{BuildProgress, FAR_GAP, TableLimit, Tabulated};
+use crate::chebyshev::{FIRST_DEGREE, MAX_DEGREE, coefficients, points, tail, variation};
 use crate::{Gap, GapRange, Hydrodynamics, LoadSet, ModelDescription, SceneError};
 
 /// How to build a table.

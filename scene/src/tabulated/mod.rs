@@ -13,7 +13,6 @@
 
 mod build;
 mod cache;
-mod chebyshev;
 mod columns;
 mod look_up;
 mod parts;

@@ -7,7 +7,7 @@
 use serde::{Deserialize, Serialize};
 use wide::f64x2;
 
-use super::chebyshev::{coefficients, interpolant, points, tail};
+use crate::chebyshev::{coefficients, interpolant, points, tail};
 
 /// Degree on a part: with a lower one parts would have to be so narrow that they no longer fit into the first cache.
 pub(super) const DEGREE: usize = 7;

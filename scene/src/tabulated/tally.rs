@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use super::chebyshev::FIRST_DEGREE;
+use crate::chebyshev::FIRST_DEGREE;
 
 /// How far the building of a table is, in gaps at which the model is asked: the points of the interpolants.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

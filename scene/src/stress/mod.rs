@@ -30,6 +30,10 @@
 //! The rate of work of both surfaces on the fluid, which is what the fluid dissipates, is
 //! `P = -Σ_spheres ∫ u.f dS = Σ_blocks Re Σ_ij conj(A_i) W_ij A_j`, and `W` is symmetric by the reciprocal theorem.
 
+mod table;
+
+pub use table::StressTable;
+
 use nalgebra::{Complex, DMatrix, DVector, Matrix3, Vector3};
 
 use crate::{Gap, MovingPair};
@@ -122,6 +126,32 @@ pub struct PairStress {
 }
 
 impl Stresses {
+    /// All numbers in a fixed order.
+    pub fn columns(&self) -> impl Iterator<Item = f64> + '_ {
+        let of = |block: &'_ BlockStresses| {
+            let stresslets = block.stresslets.iter().flat_map(|of| of.iter().copied());
+            (block.work.iter().copied().chain(stresslets)).collect::<Vec<_>>()
+        };
+        self.blocks.iter().flat_map(of)
+    }
+
+    /// The same with other numbers, in the order of [`Self::columns`], at another gap.
+    #[must_use]
+    pub fn with_columns(&self, gap: Gap, columns: &[f64]) -> Self {
+        let mut stresses = Self {
+            gap,
+            ..self.clone()
+        };
+        let mut columns = columns.iter().copied();
+        for block in &mut stresses.blocks {
+            let stresslets = block.stresslets.iter_mut().flat_map(|of| of.iter_mut());
+            for (slot, value) in block.work.iter_mut().chain(stresslets).zip(&mut columns) {
+                *slot = value;
+            }
+        }
+        stresses
+    }
+
     /// Those of a pair that moves at this gap. Modes that are not held here are left out.
     #[must_use]
     pub fn of(&self, pair: &MovingPair) -> PairStress {
