@@ -19,6 +19,7 @@
 //! | [`surface`] | one meshed sphere: the velocity that its hat functions induce at a point |
 //! | [`pair`] | two spheres in the pair frame, split by symmetry into at most six small dense systems, three if they are unlike |
 //! | [`lab`] | any spheres anywhere, one dense system: squirmers that are free, or held |
+//! | [`Layers`] | densities on both spheres by any velocities of their surfaces, and their flow anywhere |
 //! | [`model`] | [`Bem`], the model `gap -> loads` that scenes use |
 //!
 //! ```
@@ -35,7 +36,10 @@
 mod dense;
 mod error;
 mod estimates;
+mod fluid;
+mod interior;
 pub mod lab;
+mod layers;
 pub mod mesh;
 mod missing;
 pub mod model;
@@ -44,10 +48,12 @@ mod pieces;
 pub mod quadrature;
 mod refinement;
 pub mod slip;
+mod stresses;
 pub mod surface;
 
 pub use error::BemError;
 pub use estimates::Estimates;
 pub use lab::{Body, Lab, Load, Motion};
+pub use layers::Layers;
 
 pub use model::Bem;

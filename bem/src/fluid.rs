@@ -1,0 +1,112 @@
+//! The flow about a moving pair, and what it does to the fluid, by boundary elements.
+
+use std::sync::OnceLock;
+
+use nalgebra::{Matrix3, Vector3};
+use scene::stress::Stresses;
+use scene::{
+    Configuration, Flow, Fluid, FluidState, Gap, Hydrodynamics, MovingPair, SceneError,
+};
+
+use crate::layers::in_own_frames;
+use crate::model::Bem;
+use crate::pair::Motion;
+use crate::{Layers, interior, stresses};
+
+/// The largest error of the velocity, relative to the largest mismatch that was found on the surfaces.
+const CAUTION: f64 = 3.0;
+
+impl Bem {
+    /// Single layers on both spheres whose flow has the velocities `(sphere, unit normal)` on the surfaces, in the laboratory's frame. No
+    /// fluid may flow through a sphere as a whole.
+    ///
+    /// # Errors
+    /// As [`Fluid::flow`].
+    pub fn layers(
+        &self,
+        configuration: &Configuration,
+        velocity: impl Fn(usize, &Vector3<f64>) -> Vector3<f64> + Send + Sync,
+    ) -> Result<Layers, SceneError> {
+        let [one, two] = configuration.radii;
+        let (asked, model) = (two / one, self.description().ratio);
+        #[expect(clippy::float_cmp, reason = "a model is for one ratio, exactly")]
+        if asked != model || one != 1.0 {
+            return Err(SceneError::OtherRatio { model, asked });
+        }
+        self.solved(configuration.gap, &Motion::COMPLETE, |systems| {
+            let velocities = [in_own_frames(configuration, &velocity)];
+            let densities = systems.densities(&velocities)?;
+            Ok(Layers::new(configuration, systems, &densities[0]))
+        })
+    }
+}
+
+impl Fluid for Bem {
+    fn flow(&self, pair: &MovingPair) -> Result<Box<dyn Flow>, SceneError> {
+        let layers = self.layers(&pair.configuration, |sphere, normal| {
+            pair.surface_velocity(sphere, normal)
+        })?;
+        Ok(Box::new(BemFlow {
+            pair: *pair,
+            layers,
+            estimate: OnceLock::new(),
+        }))
+    }
+
+    /// Of equal spheres sphere 1 alone is solved for. They are not shifted as loads are beyond the last seam: those of lone spheres are off there by what
+    /// the mesh makes of them.
+    fn stresses(&self, gap: Gap, modes: usize, swirl: usize) -> Result<Stresses, SceneError> {
+        let set = scene::LoadSet::all(modes).with_swirl(swirl);
+        set.check()?;
+        let radii = [1.0, self.description().ratio];
+        self.solved(gap, &Motion::ALL, |systems| {
+            stresses::solve(systems, radii, gap, [modes, swirl])
+        })
+    }
+}
+
+/// The flow about a pair.
+struct BemFlow {
+    pair: MovingPair,
+    layers: Layers,
+    /// Found when it is first asked for.
+    estimate: OnceLock<f64>,
+}
+
+impl Flow for BemFlow {
+    fn pair(&self) -> &MovingPair {
+        &self.pair
+    }
+
+    fn at(&self, point: &Vector3<f64>) -> FluidState {
+        self.layers.at(point)
+    }
+
+    fn gradient(&self, point: &Vector3<f64>) -> Matrix3<f64> {
+        self.layers.gradient(point)
+    }
+
+    /// The inner fluid's traction, which has a closed form, less the density.
+    fn traction(&self, sphere: usize, normal: &Vector3<f64>) -> Vector3<f64> {
+        let p = self.pair.configuration.orientations[sphere];
+        let radius = self.pair.configuration.radii[sphere];
+        let inner = interior::traction(&self.pair.squirmers[sphere], &p, normal) / radius
+            - normal * self.layers.inner_pressure(sphere);
+        inner - self.layers.density(sphere, normal)
+    }
+
+    fn density(&self, sphere: usize, normal: &Vector3<f64>) -> Option<Vector3<f64>> {
+        Some(self.layers.density(sphere, normal))
+    }
+
+    /// Three times the largest mismatch of the velocity on the surfaces, over three points of each panel that are no nodes.
+    ///
+    /// The flow is a Stokes flow to the accuracy of the quadrature, and its error is the Stokes flow of the mismatch, which is largest on the
+    /// surfaces but for a factor. It was found below the mismatch itself with manufactured solutions down to gap 0.01.
+    fn error_estimate(&self) -> f64 {
+        *self.estimate.get_or_init(|| {
+            let velocity = |sphere, normal: &Vector3<f64>| self.pair.surface_velocity(sphere, normal);
+            CAUTION * self.layers.mismatch(velocity)
+        })
+    }
+}
