@@ -33,7 +33,7 @@ impl Singular {
         for (k, sign) in [(0, 1.0), (1, -1.0)] {
             let r = x - self.0[k];
             for (u, p) in [stokeslet(&r, &f[k]), stresslet(&r, &(m * sign))] {
-                sum = (sum.0 + u, sum.1 + p);
+                sum = (sum.0 + u * 0.5, sum.1 + p * 0.5);
             }
         }
         sum
@@ -42,6 +42,7 @@ impl Singular {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let level = std::env::args().nth(1).map_or(Ok(3), |l| l.parse())?;
+    let depth: f64 = std::env::args().nth(2).map_or(Ok(1.0), |l| l.parse())?;
     for (ratio, gap) in [
         (1.0, 50.0),
         (1.0, 1.0),
@@ -65,8 +66,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let radii = configuration.radii;
         let inside = |k: usize, at: Vector3<f64>| centres[k] + at * radii[k];
         let truth = Singular([
-            inside(0, Vector3::new(0.2, -0.3, 0.1)),
-            inside(1, Vector3::new(-0.1, 0.2, 0.25)),
+            inside(0, Vector3::new(0.2, -0.3, 0.1) * depth),
+            inside(1, Vector3::new(-0.1, 0.2, 0.25) * depth),
         ]);
         let start = Instant::now();
         let surface = |k: usize, n: &Vector3<f64>| truth.at(&inside(k, *n)).0;
@@ -81,20 +82,41 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let start = Instant::now();
         let mut count = 0;
         for (name, points) in [
-            ("gap", (0..20).map(|i| middle + across * (0.02 * f64::from(i))).collect::<Vec<_>>()),
+            (
+                "gap",
+                (0..20)
+                    .map(|i| middle + across * (0.02 * f64::from(i)))
+                    .collect::<Vec<_>>(),
+            ),
             ("on", (0..60).map(|i| inside(i % 2, turn(i))).collect()),
-            ("near", (0..60).map(|i| inside(i % 2, turn(i) * (1.0 + 0.3f64.powi(1 + (i / 2 % 9) as i32)))).collect()),
-            ("far", (0..20).map(|i| turn(i) * (3.0 + f64::from(i as u32))  * (2.0 + gap)).collect()),
+            (
+                "near",
+                (0..60)
+                    .map(|i| inside(i % 2, turn(i) * (1.0 + 0.3f64.powi(1 + (i / 2 % 9) as i32))))
+                    .collect(),
+            ),
+            (
+                "far",
+                (0..20)
+                    .map(|i| turn(i) * (3.0 + f64::from(i as u32)) * (2.0 + gap))
+                    .collect(),
+            ),
         ] {
             let mut worst = [0.0f64; 3];
-            for x in points.iter().filter(|x| (0..2).all(|k| (*x - centres[k]).norm() > radii[k] - 1e-9)) {
+            for x in points
+                .iter()
+                .filter(|x| (0..2).all(|k| (*x - centres[k]).norm() > radii[k] - 1e-9))
+            {
                 let (u, p) = truth.at(x);
                 let found = layers.at(x);
                 let step = 1e-4;
                 let mut gradient = Matrix3::zeros();
                 for k in 0..3 {
                     let e = Vector3::ith(k, step);
-                    gradient.set_column(k, &((truth.at(&(x + e)).0 - truth.at(&(x - e)).0) / (2.0 * step)));
+                    gradient.set_column(
+                        k,
+                        &((truth.at(&(x + e)).0 - truth.at(&(x - e)).0) / (2.0 * step)),
+                    );
                 }
                 let errors = [
                     (found.velocity - u).norm(),
@@ -106,7 +128,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 }
                 count += 1;
             }
-            report += &format!("; {name} u {:.1e} p {:.1e} G {:.1e}", worst[0], worst[1], worst[2]);
+            report += &format!(
+                "; {name} u {:.1e} p {:.1e} G {:.1e}",
+                worst[0], worst[1], worst[2]
+            );
         }
         let each = start.elapsed().as_secs_f64() / f64::from(count);
         println!("{report}; solve {solved:.2} s, mismatch {checked:.2} s, point {each:.1e} s");

@@ -122,8 +122,8 @@ impl Layers {
         self.inner_pressures[sphere]
     }
 
-    /// Largest difference of the flow from the velocities `(sphere, unit normal)` of the surfaces, over three points of each panel that are no
-    /// nodes.
+    /// Largest difference of the flow from the velocities `(sphere, unit normal)` of the surfaces, over a point of each panel that is no
+    /// node.
     pub fn mismatch(
         &self,
         velocity: impl Fn(usize, &Vector3<f64>) -> Vector3<f64> + Send + Sync,

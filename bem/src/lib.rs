@@ -40,6 +40,7 @@ mod fluid;
 mod interior;
 pub mod lab;
 mod layers;
+mod lone;
 pub mod mesh;
 mod missing;
 pub mod model;

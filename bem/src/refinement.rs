@@ -23,9 +23,7 @@ use scene::{ActiveLoads, LoadSet, PairLoads, SelfOther, SwirlLoads};
 use crate::BemError;
 use crate::mesh::MeshFamily;
 use crate::missing::{Missing, crossed};
-use crate::pair::{
-    self, Condition, EachSolution, Motion, PairSolution, Systems, UnlikeMeshes,
-};
+use crate::pair::{self, Condition, EachSolution, Motion, PairSolution, Systems, UnlikeMeshes};
 use crate::pieces::Pieces;
 
 /// Meshes from the smallest gaps to the largest, with the solutions for spheres infinitely far apart.

@@ -136,7 +136,10 @@ mod tests {
             for (of_order, expected) in [
                 (of_order(n, 0, &normal), axisymmetric(n, &d, &normal)),
                 (of_order(n, 1, &normal), transverse(n, &d, &t, &normal)),
-                (swirl_of_order(n, 0, &normal), axisymmetric_swirl(n, &d, &normal)),
+                (
+                    swirl_of_order(n, 0, &normal),
+                    axisymmetric_swirl(n, &d, &normal),
+                ),
                 (
                     swirl_of_order(n, 1, &normal),
                     transverse_swirl(n, &d, &-Vector3::y(), &normal),

@@ -93,8 +93,10 @@ fn of_motion(
             .take(spheres.len() * causes.len())
             .collect();
         if systems.are_equal() {
-            let swapped: Vec<Densities> =
-                by.iter().map(|[own, other]| [other.clone(), own.clone()]).collect();
+            let swapped: Vec<Densities> = by
+                .iter()
+                .map(|[own, other]| [other.clone(), own.clone()])
+                .collect();
             by.extend(swapped);
         }
         all.push(of_block(systems, radii, *block, causes, &by));

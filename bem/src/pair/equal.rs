@@ -143,9 +143,17 @@ impl<'a, const H: usize> Systems<'a, H> {
     ///
     /// # Errors
     /// [`BemError::Residual`] if the dense system could not be solved.
-    pub fn densities(&self, k: usize, velocities: &[Velocities]) -> Result<Vec<Densities>, BemError> {
+    pub fn densities(
+        &self,
+        k: usize,
+        velocities: &[Velocities],
+    ) -> Result<Vec<Densities>, BemError> {
         let Class { parity, unknowns } = &self.classes[k];
-        let swap = if parity.swap == Swap::Mirrored { 1.0 } else { -1.0 };
+        let swap = if parity.swap == Swap::Mirrored {
+            1.0
+        } else {
+            -1.0
+        };
         let right: Vec<Vec<f64>> = (velocities.iter())
             .map(|[one, two]| {
                 let half = |y: &Vector3<f64>| (one(y) + two(y) * swap) * 0.5;
@@ -163,7 +171,10 @@ impl<'a, const H: usize> Systems<'a, H> {
 
     /// How many classes there are, and the kind of motion of each.
     pub fn motions(&self) -> Vec<Motion> {
-        self.classes.iter().map(|class| class.parity.motion).collect()
+        self.classes
+            .iter()
+            .map(|class| class.parity.motion)
+            .collect()
     }
 }
 

@@ -205,7 +205,11 @@ impl<'a, const H: usize> Systems<'a, H> {
     ///
     /// # Errors
     /// [`BemError::Residual`] if the dense system could not be solved.
-    pub fn densities(&self, k: usize, velocities: &[Velocities]) -> Result<Vec<Densities>, BemError> {
+    pub fn densities(
+        &self,
+        k: usize,
+        velocities: &[Velocities],
+    ) -> Result<Vec<Densities>, BemError> {
         let class = &self.classes[k];
         let right: Vec<Vec<f64>> = (velocities.iter())
             .map(|both| {

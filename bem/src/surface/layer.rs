@@ -18,10 +18,10 @@ use crate::mesh::hats;
 use crate::quadrature::{ORDERS, Point, TOLERANCE, order_for, order_limits};
 
 /// Least distance of a point from the surface at which pressure and gradient are summed up, in radii; closer points are moved out to it.
-const NEAREST: f64 = 1e-7;
+const NEAREST: f64 = 1e-6;
 
-/// Deepest division of a panel near a point: parts are then smaller than a hundredth of [`NEAREST`].
-const DEEPEST: usize = 30;
+/// Deepest division of a panel near a point. Parts are then of size 1e-8, and so is what is left out.
+const DEEPEST: usize = 24;
 
 /// A quadrature point: where it is, and the density there times area over 8 pi.
 #[derive(Clone, Copy, Debug)]
@@ -133,11 +133,6 @@ impl<const H: usize> Layer<H> {
         self.sum::<Gradient>(&moved_out(point)).0
     }
 
-    /// Pressure at the sphere's centre: `-1/(4 pi) ∫ f.n dS`.
-    pub fn pressure_at_centre(&self) -> f64 {
-        self.sum::<Motion>(&Vector3::zeros()).pressure
-    }
-
     /// The density at a unit normal, by the hat functions of its panel.
     pub fn density(&self, normal: &Vector3<f64>) -> Vector3<f64> {
         let inside = |k: usize| {
@@ -152,11 +147,16 @@ impl<const H: usize> Layer<H> {
         self.density_in(k, at, normal)
     }
 
-    /// Three points of each panel at which the velocity is not matched: between its middle and its corners.
+    /// A point of each panel at which the velocity is not matched: its middle and a place on an edge, by turns.
     pub fn between_nodes(&self) -> impl Iterator<Item = Vector3<f64>> {
-        const AT: [[f64; 3]; 3] = [[0.6, 0.2, 0.2], [0.2, 0.6, 0.2], [0.2, 0.2, 0.6]];
-        let panels = self.panels.iter();
-        panels.flat_map(|panel| AT.map(|hats| panel.at(&Point { hats, weight: 0.0 }).0))
+        const PLACES: [[f64; 3]; 4] = [
+            [1.0 / 3.0; 3],
+            [0.75, 0.25, 0.0],
+            [0.0, 0.75, 0.25],
+            [0.25, 0.0, 0.75],
+        ];
+        let at = |(panel, hats): (&Panel, [f64; 3])| panel.at(&Point { hats, weight: 0.0 }).0;
+        self.panels.iter().zip(PLACES.into_iter().cycle()).map(at)
     }
 
     fn density_in(&self, panel: usize, at: [f64; 3], normal: &Vector3<f64>) -> Vector3<f64> {
