@@ -33,7 +33,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let mut check = |row: usize, on: usize, column: usize, expected: f64| {
                 for (a, b) in [(on * count + row, column), (column, on * count + row)] {
                     let error = (of.work[(a, b)] - expected).abs() / expected.abs().max(PI);
-                    let rigid = column < 2 && matches!(of.causes[column], Cause::Translation | Cause::Rotation);
+                    let rigid = column < 2
+                        && matches!(of.causes[column], Cause::Translation | Cause::Rotation);
                     let slot = usize::from(!rigid);
                     worst[slot] = worst[slot].max(error);
                 }

@@ -52,8 +52,8 @@ impl Fluid for Bem {
         }))
     }
 
-    /// Of equal spheres sphere 1 alone is solved for. They are not shifted as loads are beyond the last seam: those of lone spheres are off there by what
-    /// the mesh makes of them.
+    /// Of equal spheres the causes of sphere 1 alone are solved for. Those of lone spheres are in closed form, so that nothing is to be shifted
+    /// far apart, as loads are.
     fn stresses(&self, gap: Gap, modes: usize, swirl: usize) -> Result<Stresses, SceneError> {
         let set = scene::LoadSet::all(modes).with_swirl(swirl);
         set.check()?;

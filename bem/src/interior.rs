@@ -10,10 +10,7 @@
 //! t = (2n+1) ∇_s Y - 3(n+1) Y n           at r = 1,
 //! ```
 //!
-//! and for swirl `u = n x ∇_s Y` it is `r^n u`, with `t = (n-1) u`. On a sphere of radius a tractions of the same velocities are `1/a` of these. Degrees and
-//! orders are orthogonal, so that the rate of work on the inner fluid is a sum over modes.
-
-use std::f64::consts::PI;
+//! and for swirl `u = n x ∇_s Y` it is `r^n u`, with `t = (n-1) u`. On a sphere of radius a tractions of the same velocities are `1/a` of these.
 
 use nalgebra::Vector3;
 use scene::Squirmer;
@@ -35,26 +32,6 @@ pub fn traction(squirmer: &Squirmer, p: &Vector3<f64>, normal: &Vector3<f64>) ->
         sum += slip::axisymmetric_swirl(n, p, normal) * ((n - 1) as f64 * strength);
     }
     sum
-}
-
-/// Rate of work on the inner fluid, over the radius, by the slip of [`slip::of_order`].
-#[must_use]
-pub fn squirming_work(n: usize, order: usize) -> f64 {
-    (2 * n + 1) as f64 * norm(n, order)
-}
-
-/// The same by the swirl of [`slip::swirl_of_order`].
-#[must_use]
-pub fn swirl_work(n: usize, order: usize) -> f64 {
-    (n - 1) as f64 * norm(n, order)
-}
-
-/// `∫ |u|² dΩ = 4/(n(n+1)) ∫ (P_n^m cos mφ)² dΩ` of slip or swirl.
-fn norm(n: usize, order: usize) -> f64 {
-    let (degree, m) = (n as f64, order);
-    let among: f64 = (n - m + 1..=n + m).map(|k| k as f64).product();
-    let around = if m == 0 { 4.0 * PI } else { 2.0 * PI * among };
-    4.0 / (degree * (degree + 1.0)) * around / (2.0 * degree + 1.0)
 }
 
 #[cfg(test)]

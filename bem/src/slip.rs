@@ -77,6 +77,13 @@ pub fn of_order(n: usize, order: usize, normal: &Vector3<f64>) -> Vector3<f64> {
     -potential_gradient(n, order, Complex::new(1.0, 0.0), normal)
 }
 
+/// The potential of [`of_order`] at `normal`.
+#[must_use]
+pub fn potential_of_order(n: usize, order: usize, normal: &Vector3<f64>) -> f64 {
+    let across = Complex::new(normal.x, -normal.y).powu(order as u32);
+    factor(n) * across.re * legendre_derivative(n, order, normal.z)
+}
+
 /// Swirl likewise: `n x` the slip of the same potential, but for orders above 0 with `Re[-i (x - i y)^order]`.
 #[must_use]
 pub fn swirl_of_order(n: usize, order: usize, normal: &Vector3<f64>) -> Vector3<f64> {

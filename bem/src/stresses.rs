@@ -1,23 +1,29 @@
 //! Stresslets and rates of work by unit causes, in the pair frame. Definitions and signs are those of [`scene::stress`].
 //!
-//! With the density f of force on the fluid the fluid's traction on a sphere is `t - f`, t that of the flow [within](crate::interior), so that
+//! The flow by a cause is that of the lone sphere, in closed form, and that of a single layer of density f on both spheres which undoes it on the other one. Within
+//! a sphere the layer's flow is no flow on the active one, and minus the lone flow on the other one. The fluid's traction is then, but for a
+//! pressure, that of the lone sphere on the active one and nothing on the other one, less f, so that
 //!
 //! ```text
-//! W_ij = ∫ u_i.f_j dS - ∫ u_i.t_j dS,   S = -∫ [(x f + f x)/2 - (x.f) I/3] dS:
+//! W_ij = lone + ∫ u_i.f_j dS,   S = lone - ∫ [(x f + f x)/2 - (x.f) I/3] dS.
 //! ```
 //!
-//! what t adds to the first moment is what `u n + n u` takes off. Slip is solved for, with the systems of the rigid motions: causes of order m go as
-//! `cos mφ`, those of swirl too once they are turned, so that even orders are axial, odd ones transverse.
+//! Both tend to the closed form of lone spheres as the gap grows, whatever the mesh. Causes of order m go as `cos mφ`, those of swirl too once they are
+//! turned, so that even orders are axial, odd ones transverse: the systems are those of the loads.
 //!
 //! A unit cause of sphere 2 is the mirror image of that of sphere 1, except for spin and swirl about the line of centres, where it is minus that.
+
+mod unit;
 
 use nalgebra::{DMatrix, DVector, Vector3};
 use rayon::prelude::*;
 use scene::Gap;
 use scene::stress::{Block, BlockStresses, Cause, Stresses};
 
+use crate::BemError;
 use crate::pair::{Densities, Motion, Systems, Velocities};
-use crate::{BemError, interior, slip};
+use crate::surface::mirrored_z;
+use unit::Unit;
 
 /// Integrals against a density, node by node.
 type Weights = Vec<Vector3<f64>>;
@@ -41,7 +47,7 @@ pub fn solve(
             let own: Vec<&(Block, Vec<Cause>)> = (causes.iter())
                 .filter(|(block, _)| motion_of(*block) == motion)
                 .collect();
-            of_motion(systems, radii, motion, &own)
+            of_motion(systems, (radii, gap), motion, &own)
         })
         .collect::<Result<Vec<_>, _>>()?;
     let mut blocks: Vec<BlockStresses> = by_motion.into_iter().flatten().collect();
@@ -66,7 +72,7 @@ fn motion_of(block: Block) -> Motion {
 /// The blocks of one kind of motion.
 fn of_motion(
     systems: &Systems<'_, 6>,
-    radii: [f64; 2],
+    (radii, gap): ([f64; 2], Gap),
     motion: Motion,
     blocks: &[&(Block, Vec<Cause>)],
 ) -> Result<Vec<BlockStresses>, BemError> {
@@ -74,14 +80,24 @@ fn of_motion(
     let mut velocities: Vec<Velocities<'_>> = Vec::new();
     for (block, causes) in blocks {
         for sphere in spheres.clone() {
+            let [own, other] = [radii[sphere], radii[1 - sphere]];
+            let distance = 1.0 + (other + gap.eps()) / own;
             for cause in causes {
-                let (block, cause, radius) = (*block, *cause, radii[sphere]);
-                let moves = Box::new(move |y: &Vector3<f64>| velocity(block, cause, radius, y));
+                let unit = Unit {
+                    block: *block,
+                    cause: *cause,
+                    radius: own,
+                };
+                // In the frame of the other one, which is the mirror image of the own one.
+                let undone = Box::new(move |y: &Vector3<f64>| {
+                    let point = mirrored_z(&(y * (other / own)), distance);
+                    -mirrored_z(&unit.flow(&point), 0.0)
+                });
                 let still = Box::new(|_: &Vector3<f64>| Vector3::zeros());
                 velocities.push(if sphere == 0 {
-                    [moves, still]
+                    [still, undone]
                 } else {
-                    [still, moves]
+                    [undone, still]
                 });
             }
         }
@@ -113,12 +129,18 @@ fn of_block(
     by: &[Densities],
 ) -> BlockStresses {
     let count = causes.len();
-    let integrated = |sphere: usize, field: &(dyn Fn(&Vector3<f64>) -> Vector3<f64> + Sync)| {
-        systems.surface(sphere).work(field)
+    let unit = |sphere: usize, cause: usize| Unit {
+        block,
+        cause: causes[cause],
+        radius: radii[sphere],
     };
     let weights_of = |sphere: usize| -> Vec<Weights> {
-        let of = |&cause| integrated(sphere, &|y| velocity(block, cause, radii[sphere], y));
-        causes.par_iter().map(of).collect()
+        let of = |cause| {
+            systems
+                .surface(sphere)
+                .work(|y| unit(sphere, cause).flow(y))
+        };
+        (0..count).into_par_iter().map(of).collect()
     };
     let one = weights_of(0);
     let two = if systems.are_equal() {
@@ -131,31 +153,29 @@ fn of_block(
     let across = if block == Block::Twist { -1.0 } else { 1.0 };
     let work = DMatrix::from_fn(2 * count, 2 * count, |row, column| {
         let (on, active) = (row / count, column / count);
-        let outer = radii[on] * dot(&weights[on][row % count], &by[column][on]);
+        let changed = radii[on] * dot(&weights[on][row % count], &by[column][on]);
         if on == active {
-            let inner = if row == column {
-                inner_work(block, causes[row % count])
-            } else {
-                0.0
-            };
-            outer - radii[on] * inner
+            unit(on, row % count).lone_work(causes[column % count]) + changed
         } else {
-            across * outer
+            across * changed
         }
     });
     let stresslets = [0, 1].map(|on| {
         let Some((strain, scale)) = strain_of(block) else {
             return DVector::zeros(0);
         };
-        let weights = integrated(on, &strain);
+        let weights = systems.surface(on).work(strain);
         DVector::from_fn(2 * count, |column, _| {
-            // Of order 1 the axis of the active sphere has the other sign.
-            let side = if block == Block::Order(1) && column / count != on {
-                -1.0
+            let active = column / count;
+            let changed = -scale * radii[on].powi(2) * dot(&weights, &by[column][on]);
+            if active == on {
+                unit(on, column % count).lone_stresslet() + changed
+            } else if block == Block::Order(1) {
+                // The axis towards the other sphere is that of the active one.
+                -changed
             } else {
-                1.0
-            };
-            -side * scale * radii[on].powi(2) * dot(&weights, &by[column][on])
+                changed
+            }
         })
     });
     BlockStresses {
@@ -163,36 +183,6 @@ fn of_block(
         causes: causes.to_vec(),
         work,
         stresslets,
-    }
-}
-
-/// Velocity of a unit cause at the unit normal, in the own frame of the active sphere of the given radius.
-fn velocity(block: Block, cause: Cause, radius: f64, normal: &Vector3<f64>) -> Vector3<f64> {
-    let order = order_of(block);
-    match cause {
-        Cause::Translation if order == 0 => Vector3::z(),
-        Cause::Translation => Vector3::x(),
-        Cause::Rotation if order == 0 => Vector3::z().cross(normal) * radius,
-        // The spin whose product with z is x.
-        Cause::Rotation => Vector3::y().cross(normal) * radius,
-        Cause::Squirming(n) => slip::of_order(n, order, normal),
-        Cause::Swirl(n) => slip::swirl_of_order(n, order, normal),
-    }
-}
-
-fn order_of(block: Block) -> usize {
-    match block {
-        Block::Twist => 0,
-        Block::Order(order) => order,
-    }
-}
-
-/// Rate of work of a cause on the flow within, over the radius.
-fn inner_work(block: Block, cause: Cause) -> f64 {
-    match cause {
-        Cause::Translation | Cause::Rotation => 0.0,
-        Cause::Squirming(n) => interior::squirming_work(n, order_of(block)),
-        Cause::Swirl(n) => interior::swirl_work(n, order_of(block)),
     }
 }
 
