@@ -1,48 +1,24 @@
-//! Errors of the flow against Stokeslets, stresslets and source doublets within the spheres: their flow is known everywhere.
+//! Errors of the flow at a level.
 //!
-//! `cargo run --release -p squirmers-bem --example flow -- [LEVEL]`
+//! First against Stokeslets and stresslets within the spheres, whose flow is known everywhere: they are `DEPTH` of the way from the centres to about 0.4
+//! radii. Then of a pair of free squirmers against two levels more.
+//!
+//! `cargo run --release -p squirmers-bem --example flow -- [LEVEL] [DEPTH]`
 
 use std::time::Instant;
 
 use bem::Bem;
 use nalgebra::{Matrix3, Vector3};
-use scene::{Configuration, Gap, Hydrodynamics};
+use scene::{Configuration, Fluid, FluidState, Gap, MovingPair, Plan, Pose, Scene, Squirmer};
 
-/// Point singularities within the spheres.
-struct Singular([Vector3<f64>; 2]);
+type Failure = Box<dyn std::error::Error>;
 
-/// Velocity and pressure of a Stokeslet of strength `f` at the distance `r` from it, 8 pi left out.
-fn stokeslet(r: &Vector3<f64>, f: &Vector3<f64>) -> (Vector3<f64>, f64) {
-    let s = r.norm();
-    let along = r.dot(f) / s.powi(3);
-    (f / s + r * along, 2.0 * along)
-}
+/// Points by where they are.
+type Places = [(&'static str, Vec<Vector3<f64>>); 4];
 
-/// The same of a stresslet `e`, symmetric and without trace.
-fn stresslet(r: &Vector3<f64>, e: &Matrix3<f64>) -> (Vector3<f64>, f64) {
-    let s = r.norm();
-    let twice = r.dot(&(e * r));
-    (r * (-3.0 * twice / s.powi(5)), -6.0 * twice / s.powi(5))
-}
-
-impl Singular {
-    fn at(&self, x: &Vector3<f64>) -> (Vector3<f64>, f64) {
-        let f = [Vector3::new(0.7, -0.4, 0.5), Vector3::new(-0.3, 0.8, 0.6)];
-        let m = Matrix3::new(0.2, 0.5, -0.1, 0.5, 0.3, 0.4, -0.1, 0.4, -0.5);
-        let mut sum = (Vector3::zeros(), 0.0);
-        for (k, sign) in [(0, 1.0), (1, -1.0)] {
-            let r = x - self.0[k];
-            for (u, p) in [stokeslet(&r, &f[k]), stresslet(&r, &(m * sign))] {
-                sum = (sum.0 + u * 0.5, sum.1 + p * 0.5);
-            }
-        }
-        sum
-    }
-}
-
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+fn main() -> Result<(), Failure> {
     let level = std::env::args().nth(1).map_or(Ok(3), |l| l.parse())?;
-    let depth: f64 = std::env::args().nth(2).map_or(Ok(1.0), |l| l.parse())?;
+    let depth = std::env::args().nth(2).map_or(Ok(0.3), |d| d.parse())?;
     for (ratio, gap) in [
         (1.0, 50.0),
         (1.0, 1.0),
@@ -51,98 +27,139 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         (1.0, 0.01),
         (2.0, 0.1),
     ] {
-        let bem = Bem::of_ratio(level, ratio)?;
-        let line = Vector3::new(0.36, 0.48, -0.8);
-        let configuration = Configuration {
-            radii: [1.0, bem.description().ratio],
-            gap: Gap::new(gap)?,
-            midpoint: Vector3::new(0.2, 0.1, -0.4),
-            line,
-            orientations: [line; 2],
-            line_angle_rad: 0.0,
-            angles_rad: [0.0; 2],
-        };
-        let centres = configuration.positions();
-        let radii = configuration.radii;
-        let inside = |k: usize, at: Vector3<f64>| centres[k] + at * radii[k];
-        let truth = Singular([
-            inside(0, Vector3::new(0.2, -0.3, 0.1) * depth),
-            inside(1, Vector3::new(-0.1, 0.2, 0.25) * depth),
-        ]);
-        let start = Instant::now();
-        let surface = |k: usize, n: &Vector3<f64>| truth.at(&inside(k, *n)).0;
-        let layers = bem.layers(&configuration, surface)?;
-        let solved = start.elapsed().as_secs_f64();
-        let start = Instant::now();
-        let mismatch = layers.mismatch(surface);
-        let checked = start.elapsed().as_secs_f64();
-        let middle = centres[0] + line * (1.0 + 0.5 * gap);
-        let across = Vector3::new(0.8, -0.6, 0.0);
-        let mut report = format!("ratio {ratio} gap {gap:5}: mismatch {mismatch:.1e}");
-        let start = Instant::now();
-        let mut count = 0;
-        for (name, points) in [
-            (
-                "gap",
-                (0..20)
-                    .map(|i| middle + across * (0.02 * f64::from(i)))
-                    .collect::<Vec<_>>(),
-            ),
-            ("on", (0..60).map(|i| inside(i % 2, turn(i))).collect()),
-            (
-                "near",
-                (0..60)
-                    .map(|i| inside(i % 2, turn(i) * (1.0 + 0.3f64.powi(1 + (i / 2 % 9) as i32))))
-                    .collect(),
-            ),
-            (
-                "far",
-                (0..20)
-                    .map(|i| turn(i) * (3.0 + f64::from(i as u32)) * (2.0 + gap))
-                    .collect(),
-            ),
-        ] {
-            let mut worst = [0.0f64; 3];
-            for x in points
-                .iter()
-                .filter(|x| (0..2).all(|k| (*x - centres[k]).norm() > radii[k] - 1e-9))
-            {
-                let (u, p) = truth.at(x);
-                let found = layers.at(x);
-                let step = 1e-4;
-                let mut gradient = Matrix3::zeros();
-                for k in 0..3 {
-                    let e = Vector3::ith(k, step);
-                    gradient.set_column(
-                        k,
-                        &((truth.at(&(x + e)).0 - truth.at(&(x - e)).0) / (2.0 * step)),
-                    );
-                }
-                let errors = [
-                    (found.velocity - u).norm(),
-                    (found.pressure - p).abs(),
-                    (layers.gradient(x) - gradient).norm(),
-                ];
-                for (worst, error) in worst.iter_mut().zip(errors) {
-                    *worst = worst.max(error);
-                }
-                count += 1;
-            }
-            report += &format!(
-                "; {name} u {:.1e} p {:.1e} G {:.1e}",
-                worst[0], worst[1], worst[2]
-            );
-        }
-        let each = start.elapsed().as_secs_f64() / f64::from(count);
-        println!("{report}; solve {solved:.2} s, mismatch {checked:.2} s, point {each:.1e} s");
+        singularities(level, depth, ratio, gap)?;
+    }
+    for gap in [1.0, 0.1, 0.05, 0.01] {
+        squirmers(level, gap)?;
     }
     Ok(())
 }
 
+fn singularities(level: usize, depth: f64, ratio: f64, gap: f64) -> Result<(), Failure> {
+    let bem = Bem::of_ratio(level, ratio)?;
+    let line = Vector3::new(0.36, 0.48, -0.8);
+    let of = Configuration {
+        radii: [1.0, ratio],
+        gap: Gap::new(gap)?,
+        midpoint: Vector3::new(0.2, 0.1, -0.4),
+        line,
+        orientations: [line; 2],
+        line_angle_rad: 0.0,
+        angles_rad: [0.0; 2],
+    };
+    let truth = |x: &Vector3<f64>| singular(&of, depth, x);
+    let surface =
+        |k: usize, n: &Vector3<f64>| truth(&(of.positions()[k] + n * of.radii[k])).velocity;
+    let start = Instant::now();
+    let layers = bem.layers(&of, surface)?;
+    let solve = start.elapsed().as_secs_f64();
+    let start = Instant::now();
+    print!(
+        "ratio {ratio} gap {gap:5}: estimate {:.1e} ({:.1} s), solve {solve:.2} s",
+        3.0 * layers.mismatch(surface),
+        start.elapsed().as_secs_f64()
+    );
+    report(&of, |x| layers.at(x), truth);
+    Ok(())
+}
+
+fn squirmers(level: usize, gap: f64) -> Result<(), Failure> {
+    let squirmer = |beta: f64| Squirmer::with_beta(1.0, beta);
+    let start = [
+        Pose::planar(0.0, 0.0, 70.0),
+        Pose::planar(2.0 + gap, 0.0, 130.0),
+    ];
+    let scene = Scene::new([squirmer(3.0)?, squirmer(-3.0)?], start, None, None)?;
+    let plan = Plan::new(&scene)?;
+    let [bem, finer] = [Bem::new(level)?, Bem::new(5.min(level + 2))?];
+    let pair = MovingPair::free(&plan, &finer, plan.start())?;
+    let (flow, truth) = (bem.flow(&pair)?, finer.flow(&pair)?);
+    print!(
+        "squirmers gap {gap:5}: estimate {:.1e}",
+        flow.error_estimate()
+    );
+    report(&pair.configuration, |x| flow.at(x), |x| truth.at(x));
+    Ok(())
+}
+
+/// Prints the largest errors of velocity and pressure, and the time of a point.
+fn report(
+    of: &Configuration,
+    found: impl Fn(&Vector3<f64>) -> FluidState,
+    truth: impl Fn(&Vector3<f64>) -> FluidState,
+) {
+    for (name, points) in places(of) {
+        let start = Instant::now();
+        let states: Vec<FluidState> = points.iter().map(&found).collect();
+        let each = start.elapsed().as_secs_f64() / points.len() as f64;
+        let (mut u, mut p): (f64, f64) = (0.0, 0.0);
+        for (state, x) in states.iter().zip(&points) {
+            let expected = truth(x);
+            u = u.max((state.velocity - expected.velocity).norm());
+            p = p.max((state.pressure - expected.pressure).abs());
+        }
+        print!("; {name} u {u:.1e} p {p:.1e} {:.2} ms", 1e3 * each);
+    }
+    println!();
+}
+
+fn places(of: &Configuration) -> Places {
+    let (centres, gap) = (of.positions(), of.gap.eps());
+    let middle = centres[0] + of.line * (of.radii[0] + 0.5 * gap);
+    let across = of.line.cross(&Vector3::new(0.3, -0.5, 0.8)).normalize();
+    let at = |i: usize, height: f64| {
+        let k = i % 2;
+        centres[k] + direction(i) * (of.radii[k] + height)
+    };
+    let outside = |x: &Vector3<f64>| (0..2).all(|k| (x - centres[k]).norm() > of.radii[k] - 1e-9);
+    let near = (0..80).map(|i| at(i, 0.3f64.powi(1 + (i / 2 % 9) as i32)));
+    [
+        (
+            "gap",
+            (0..20)
+                .map(|i| middle + across * (0.02 * i as f64))
+                .collect(),
+        ),
+        ("on", (0..60).map(|i| at(i, 0.0)).collect()),
+        ("near", near.filter(outside).collect()),
+        (
+            "far",
+            (0..40)
+                .map(|i| direction(i) * (3.0 + i as f64) * (2.0 + gap))
+                .collect(),
+        ),
+    ]
+}
+
 /// Unit vectors all over the sphere.
-fn turn(i: usize) -> Vector3<f64> {
-    let z = 1.0 - (2.0 * ((i as f64 * 0.618_034) % 1.0));
+fn direction(i: usize) -> Vector3<f64> {
+    let z = 1.0 - 2.0 * ((i as f64 * 0.618_034) % 1.0);
     let (s, c) = (i as f64 * 2.4).sin_cos();
     let r = (1.0 - z * z).sqrt();
     Vector3::new(r * c, r * s, z)
+}
+
+/// The flow of a Stokeslet and a stresslet within each sphere.
+fn singular(of: &Configuration, depth: f64, x: &Vector3<f64>) -> FluidState {
+    let strain = Matrix3::new(0.2, 0.5, -0.1, 0.5, 0.3, 0.4, -0.1, 0.4, -0.5);
+    let mut state = FluidState::default();
+    for (k, f, at) in [
+        (
+            0,
+            Vector3::new(0.7, -0.4, 0.5),
+            Vector3::new(0.2, -0.3, 0.1),
+        ),
+        (
+            1,
+            Vector3::new(-0.3, 0.8, 0.6),
+            Vector3::new(-0.1, 0.2, 0.25),
+        ),
+    ] {
+        let r = x - of.positions()[k] - at * (depth * of.radii[k]);
+        let s = r.norm();
+        let (along, twice) = (r.dot(&f) / s.powi(3), r.dot(&(strain * r)) / s.powi(5));
+        state.velocity += f / s + r * (along - 3.0 * twice);
+        state.pressure += 2.0 * along - 6.0 * twice;
+    }
+    state
 }

@@ -116,7 +116,7 @@ fn val_the_mismatch_bounds_the_error_everywhere() {
             3.0 * found.mismatch(|k, n| singular(&of, &(of.positions()[k] + n * of.radii[k])).0);
         let (mut worst, mut fastest): (f64, f64) = (0.0, 0.0);
         for k in [0, 1] {
-            for n in directions(60) {
+            for n in directions(30) {
                 for height in [0.0, 1e-9, 1e-4, 0.01, 0.1, 1.0, 1e4] {
                     let x = of.positions()[k] + n * (of.radii[k] + height);
                     let other = (x - of.positions()[1 - k]).norm() - of.radii[1 - k];
@@ -223,6 +223,24 @@ fn tractions_are_those_of_pressure_and_gradient_on_both_surfaces() {
             }
             assert!(worst < 0.05, "{ratio} {k}: {worst}");
         }
+    }
+}
+
+#[test]
+fn levels_differ_by_less_than_the_estimate_of_the_coarser_one() {
+    for gap in [1.0, 0.1] {
+        let of = pair(1.0, gap);
+        let [coarse, fine] = [1, 3].map(|level| Bem::new(level).unwrap().flow(&of).unwrap());
+        let bound = coarse.error_estimate();
+        let mut worst: f64 = 0.0;
+        for n in directions(60) {
+            for k in [0, 1] {
+                let x = of.configuration.positions()[k] + n * 1.02;
+                worst = worst.max((coarse.at(&x).velocity - fine.at(&x).velocity).norm());
+            }
+        }
+        assert!(worst < bound, "{gap}: {worst:e} {bound:e}");
+        assert!(fine.error_estimate() < 0.3 * bound);
     }
 }
 

@@ -25,25 +25,23 @@ pub type Densities = [Vec<Vector3<f64>>; 2];
 /// The assembled systems of some kinds of motion of a pair at one gap.
 pub enum Systems<'a, const H: usize> {
     /// Of equal spheres.
-    Equal(equal::Systems<'a, H>),
+    Equal(Box<equal::Systems<'a, H>>),
     /// Of unlike ones.
-    Unlike(unlike::Systems<'a, H>),
+    Unlike(Box<unlike::Systems<'a, H>>),
 }
 
 impl<'a, const H: usize> Systems<'a, H> {
     /// Of equal spheres at the gap `eps`.
     pub fn equal(family: &'a MeshFamily<H>, eps: f64, motions: &[Motion]) -> Self {
         let swaps = |&motion| [Swap::Mirrored, Swap::Opposite].map(|swap| Parity::of(motion, swap));
-        Self::Equal(equal::Systems::new(
-            family,
-            eps,
-            motions.iter().flat_map(swaps),
-        ))
+        let parities = motions.iter().flat_map(swaps);
+        Self::Equal(Box::new(equal::Systems::new(family, eps, parities)))
     }
 
     /// Of unlike ones at the gap `eps`, in radii of sphere 1.
     pub fn unlike(meshes: &'a UnlikeMeshes<H>, eps: f64, motions: &[Motion]) -> Self {
-        Self::Unlike(unlike::Systems::new(meshes, eps, motions.iter().copied()))
+        let motions = motions.iter().copied();
+        Self::Unlike(Box::new(unlike::Systems::new(meshes, eps, motions)))
     }
 
     /// Whether the radii are equal.
