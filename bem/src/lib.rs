@@ -1,4 +1,4 @@
-//! Loads of two squirming spheres, equal or of unlike radii, by the boundary element method.
+//! Loads of two squirming spheres, equal or of unlike radii, and the flow about them, by the boundary element method.
 //!
 //! The Stokes flow about the spheres is written as a single layer over their surfaces,
 //!
@@ -30,6 +30,24 @@
 //! // Beside a sphere of twice the radius it is harder to move.
 //! let [small, _] = Bem::of_ratio(1, 2.0)?.interacting_loads_of_each(Gap::new(1.0)?, LoadSet::all(1))?;
 //! assert!(small.pair.xa.own() > loads.xa.own());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! [`Bem`] knows the flow too ([`scene::Fluid`]):
+//!
+//! ```
+//! use bem::Bem;
+//! use scene::{Fluid, MovingPair, Plan, Pose, Scene, Squirmer};
+//! let squirmer = Squirmer::with_beta(1.0, 3.0)?;
+//! let start = [Pose::planar(-1.5, 0.0, 90.0), Pose::planar(1.5, 0.0, 0.0)];
+//! let plan = Plan::new(&Scene::new([squirmer; 2], start, None, None)?)?;
+//! let bem = Bem::new(1)?;
+//! let flow = bem.flow(&MovingPair::free(&plan, &bem, plan.start())?)?;
+//! // On a surface the fluid moves with it.
+//! let normal = scene::nalgebra::Vector3::y();
+//! let point = plan.start().positions()[0] + normal;
+//! let moved = flow.at(&point).velocity - flow.pair().surface_velocity(0, &normal);
+//! assert!(moved.norm() < flow.error_estimate());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

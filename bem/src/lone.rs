@@ -67,6 +67,12 @@ impl State {
     }
 }
 
+/// Factors of u and of `n (n.u)` in Stokes' flow about a sphere of radius 1 and velocity u, at the distance r.
+pub fn stokes(r: f64) -> [f64; 2] {
+    let (one, three) = (0.75 / r, 0.25 / r.powi(3));
+    [one + three, one - 3.0 * three]
+}
+
 /// Where a point is: its distance in radii and its direction from the centre.
 struct Place {
     r: f64,
@@ -117,7 +123,7 @@ impl State {
     fn translates(&mut self, Place { r, normal, turning }: &Place, u: &Vector3<f64>) {
         let (one, three) = (0.75 / r, 0.25 / r.powi(3));
         let along = u.dot(normal);
-        let (even, odd) = (one + three, one - 3.0 * three);
+        let [even, odd] = stokes(*r);
         let (even_slope, odd_slope) = (-(one + 3.0 * three) / r, -(one - 9.0 * three) / r);
         let gradient = (u * even_slope + normal * (along * odd_slope)) * normal.transpose()
             + (turning * along + normal * (turning * u).transpose()) * odd;

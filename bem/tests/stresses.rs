@@ -1,6 +1,8 @@
-//! Stresslets and rates of work by unit causes: against lone squirmers, the loads of the same meshes, and laws that any solution obeys.
+//! Stresslets and rates of work by unit causes: against lone squirmers, the loads of `exact`, the tractions of the flow, and laws that any solution obeys.
 
 #![allow(clippy::unwrap_used, reason = "a test may panic, its helpers too")]
+
+mod moving;
 
 use std::f64::consts::PI;
 use std::num::NonZeroUsize;
@@ -9,9 +11,10 @@ use approx::assert_relative_eq;
 use bem::Bem;
 use exact::Exact;
 use gauss_quad::GaussLegendre;
+use moving::pair;
 use nalgebra::{Matrix3, Vector3};
 use scene::stress::{Block, BlockStresses, Cause, Stresses};
-use scene::{Configuration, Fluid, Gap, Hydrodynamics, LoadSet, MovingPair, Squirmer};
+use scene::{Fluid, Gap, Hydrodynamics, LoadSet};
 
 const MODES: usize = 3;
 const SWIRL: usize = 2;
@@ -243,32 +246,6 @@ fn val_a_small_sphere_does_not_see_its_unit_of_length() {
     }
     let s = |of: &BlockStresses, on: usize| of.stresslets[on][place(of, on, Cause::Squirming(2))];
     assert_relative_eq!(s(a, 1), s(b, 0) * 0.25, max_relative = 1e-9);
-}
-
-fn pair(ratio: f64, gap: f64) -> MovingPair {
-    let squirmer = |modes: &[f64], swirl: &[f64], radius: f64| {
-        let of = Squirmer::new(modes).unwrap().with_swirl(swirl).unwrap();
-        of.with_radius(radius).unwrap()
-    };
-    MovingPair {
-        squirmers: [
-            squirmer(&[1.5, -2.0, 0.7], &[0.3, 0.8], 1.0),
-            squirmer(&[0.9, 1.1], &[0.1, -0.4], ratio),
-        ],
-        configuration: Configuration {
-            radii: [1.0, ratio],
-            gap: Gap::new(gap).unwrap(),
-            midpoint: Vector3::new(0.2, 0.1, -0.4),
-            line: Vector3::new(0.36, 0.48, -0.8),
-            orientations: [Vector3::new(0.6, 0.0, 0.8), Vector3::new(-0.48, 0.64, 0.6)],
-            line_angle_rad: 0.0,
-            angles_rad: [0.0; 2],
-        },
-        velocities: [Vector3::new(0.1, -0.5, 0.3), Vector3::new(0.7, 0.2, -0.4)],
-        angular_velocities: [Vector3::new(-0.2, 0.6, 0.1), Vector3::new(0.3, 0.5, 0.9)],
-        forces: Default::default(),
-        torques: Default::default(),
-    }
 }
 
 /// Stresslet and power from the tractions of the flow, which knows nothing of orders or unit causes.

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::Vector3;
 use scene::stress::{Block, Cause};
 
-use crate::lone::Radial;
+use crate::lone::{Radial, stokes};
 use crate::slip;
 
 /// A unit of a cause on a sphere, in its own frame: centre at the origin, the other sphere on the side of `+z`, lengths in its radius.
@@ -32,8 +32,8 @@ impl Unit {
                 } else {
                     Vector3::x()
                 };
-                let (one, three) = (0.75 / r, 0.25 / r.powi(3));
-                u * (one + three) + normal * (normal.dot(&u) * (one - 3.0 * three))
+                let [even, odd] = stokes(r);
+                u * even + normal * (normal.dot(&u) * odd)
             }
             Cause::Rotation => {
                 // Across, the spin whose product with z is x.
