@@ -4,7 +4,8 @@ use super::stand_in::StandIn;
 use super::*;
 use crate::OutputFolder;
 
-/// Two squirmers that swim straight, the first along x, the second along -x, their paths `offset` apart.
+/// Two squirmers that swim straight, the first along x, the second along -x, their paths `offset` apart. The run ends once they recede, after
+/// t = 5.
 fn straight(offset: f64, z: f64) -> FlowStudy {
     let squirmer = |x: f64, y: f64, z: f64, degrees: f64| {
         format!(
@@ -82,7 +83,7 @@ fn a_gap_that_the_run_never_has_is_refused_with_the_smallest_one() {
 #[test]
 fn a_time_is_met_to_the_last_bit_and_must_be_within_the_run() {
     let study = straight(3.0, 0.0);
-    for t in [0.0, 1e-3, 4.3, 12.0] {
+    for t in [0.0, 1e-3, 4.3] {
         let at = study.sample(Instant::Time(t)).unwrap();
         assert!(at.t.total_cmp(&t).is_eq(), "{t}: {}", at.t);
         let [one, _] = at.configuration.positions();
@@ -98,7 +99,7 @@ fn frames_come_at_equal_steps_of_time() {
     let study = straight(3.0, 0.0);
     let frames = study.samples_every(2.5).unwrap();
     let times: Vec<_> = frames.iter().map(|sample| sample.t).collect();
-    assert_eq!(times, [0.0, 2.5, 5.0, 7.5, 10.0]);
+    assert_eq!(times, [0.0, 2.5, 5.0]);
     for bad in [0.0, -1.0, f64::NAN, 1e-9] {
         let message = study.samples_every(bad).unwrap_err().to_string();
         assert!(message.contains("--every"), "{message}");
@@ -177,7 +178,7 @@ fn windows_of_a_film_have_one_size() {
             .iter()
             .all(|w| w.half_width.total_cmp(&windows[0].half_width).is_eq())
     );
-    assert!(study.windows(&frames, Some(2.5))[3].half_width == 2.5);
+    assert!(study.windows(&frames, Some(2.5))[1].half_width == 2.5);
     // Lone squirmers with beta 2 have no surface that is faster than B1 |1 + 2 c| and their speed.
     let pairs = study.pairs(&frames).unwrap();
     let of_surfaces = fastest(&pairs, FlowFrame::Lab);
