@@ -5,7 +5,8 @@ use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use bem::Bem;
-use scene::{Fluid, Gap, Hydrodynamics};
+use exact::Exact;
+use scene::{Fluid, Gap, Hydrodynamics, SceneError};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -183,13 +184,13 @@ impl Method {
     /// `options`.
     ///
     /// # Errors
-    /// [`CompareError::Input`] for a model that knows loads only.
+    /// [`CompareError::Input`] for a model that knows loads only; as [`crate::Model::set_up`] for radii and meshes that are not allowed.
     pub fn fluid(self, options: &ModelOptions, ratio: f64) -> Result<Box<dyn Fluid>, CompareError> {
-        // Each of the two becomes one line once its model is a `Fluid`: `Ok(Box::new(Exact::of_ratio(ratio).map_err(SceneError::from)?))`
-        // and `Ok(Box::new(Bem::of_ratio(options.mesh, ratio)?))`.
-        let _ = (options, ratio);
         let reason = match self {
-            Self::Exact | Self::Bem => "its flow is not there yet",
+            Self::Exact => {
+                return Ok(Box::new(Exact::of_ratio(ratio).map_err(SceneError::from)?));
+            }
+            Self::Bem => return Ok(Box::new(Bem::of_ratio(options.mesh, ratio)?)),
             Self::Lt | Self::LtCorrected => {
                 "lubrication theory knows loads, no flow: give --method exact or --method bem"
             }

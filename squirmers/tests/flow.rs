@@ -94,12 +94,9 @@ fn help_has_an_example() {
     );
 }
 
-// These compute a flow. They run once a model with the name `exact` knows its flow (`compare::Method::fluid`).
-
 const EXACT: [&str; 4] = ["--method", "exact", "--grid", "24"];
 
 #[test]
-#[ignore = "exact hydrodynamics have no flow yet"]
 fn instants_that_the_run_does_not_reach_are_refused() {
     let late = refusal(&[&EXACT[..], &["--time", "100"]].concat());
     assert!(
@@ -128,7 +125,6 @@ fn printed(output: &Output, name: &str) -> f64 {
 }
 
 #[test]
-#[ignore = "exact hydrodynamics have no flow yet"]
 fn instants_are_found_and_files_are_the_same_for_any_number_of_threads() {
     let folder = tempfile::tempdir().unwrap();
     let out = |name: &str| folder.path().join(name);
@@ -174,7 +170,6 @@ fn instants_are_found_and_files_are_the_same_for_any_number_of_threads() {
 }
 
 #[test]
-#[ignore = "exact hydrodynamics have no flow yet"]
 fn frames_differ_by_one_velocity_in_the_whole_fluid() {
     let folder = tempfile::tempdir().unwrap();
     let rows = |frame: &str| {
@@ -207,7 +202,6 @@ fn frames_differ_by_one_velocity_in_the_whole_fluid() {
 
 #[cfg(unix)]
 #[test]
-#[ignore = "exact hydrodynamics have no flow yet"]
 fn an_interrupted_film_keeps_its_frames_and_goes_on() {
     let folder = tempfile::tempdir().unwrap();
     let (cut, whole) = (folder.path().join("cut"), folder.path().join("whole"));
