@@ -71,7 +71,7 @@ fn bad_views_are_refused_before_anything_is_computed() {
         ("--frame", "3", "use one of lab, 1, 2"),
         ("--grid", "1", "from 2 to 2000"),
         ("--window", "0", "greater than 0"),
-        ("--window", "nan", "nan"),
+        ("--window", "nan", "NaN"),
         ("--time", "x", "'x'"),
     ] {
         let message = refusal(&["--method", "exact", option, value]);
