@@ -66,7 +66,7 @@ pub(super) fn streamlines(
         )
     });
     for seed in lattice {
-        if let Some(line) = drawn.from_seed(seed, &direction) {
+        if let Some(line) = drawn.add_from(seed, &direction) {
             beside.push_back(line);
         }
         while let Some(line) = beside.pop_front() {
@@ -77,7 +77,7 @@ pub(super) fn streamlines(
                 };
                 for side in [1.0, -1.0] {
                     let seed = (at.0 - side * apart * v, at.1 + side * apart * u);
-                    if let Some(line) = drawn.from_seed(seed, &direction) {
+                    if let Some(line) = drawn.add_from(seed, &direction) {
                         beside.push_back(line);
                     }
                 }
@@ -126,7 +126,7 @@ impl Lines {
     }
 
     /// Adds the line through a seed, if it is long enough; its index.
-    fn from_seed(
+    fn add_from(
         &mut self,
         seed: Point,
         direction: &impl Fn(Point) -> Option<Point>,
