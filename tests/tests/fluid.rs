@@ -65,7 +65,7 @@ fn val_the_flow_by_boundary_elements_is_that_by_series_and_within_its_own_estima
         let pair = free(gap, ratio);
         let exact = Exact::of_ratio(ratio).unwrap().flow(&pair).unwrap();
         let bem = Bem::of_ratio(3, ratio).unwrap().flow(&pair).unwrap();
-        let worst = difference(exact.as_ref(), bem.as_ref(), &points(&pair, 0.01));
+        let worst = difference(exact.as_ref(), bem.as_ref(), &points(&pair, 0.02));
         println!(
             "gap {gap}, ratio {ratio}: {worst:.1e}, estimate {:.1e}",
             bem.error_estimate()
