@@ -178,7 +178,8 @@ fn windows_of_a_film_have_one_size() {
             .iter()
             .all(|w| w.half_width.total_cmp(&windows[0].half_width).is_eq())
     );
-    assert!(study.windows(&frames, Some(2.5))[1].half_width == 2.5);
+    let half_width = study.windows(&frames, Some(2.5))[1].half_width;
+    assert!((half_width - 2.5).abs() < f64::EPSILON, "{half_width}");
     // Lone squirmers with beta 2 have no surface that is faster than B1 |1 + 2 c| and their speed.
     let pairs = study.pairs(&frames).unwrap();
     let of_surfaces = fastest(&pairs, FlowFrame::Lab);
