@@ -306,3 +306,23 @@ fn val_a_table_of_stresses_is_the_direct_solve_at_any_gap() {
         assert!(table.at(Gap::new(12.1).unwrap()).is_err());
     }
 }
+
+#[test]
+fn val_named_numbers_of_lone_squirmers_are_those_of_the_documentation() {
+    for (ratio, own, [same, across]) in [(1.0, "1", ["1", "2"]), (0.5, "22", ["22", "12"])] {
+        let named = stresses(2000.0, ratio, 3, 2).named(ratio);
+        let of = |name: &str| named.iter().find(|(n, _)| n == name).unwrap().1;
+        for (kind, lone) in [("XS", 4.0), ("YS", 4.0), ("ZS", 4.0)] {
+            let found = of(&format!("{kind}{own}_2"));
+            assert!((found - lone).abs() < 1e-5, "{kind} {ratio}: {found}");
+        }
+        // Alone, modes of different number and swirl do no work on one another, and n = 1 moves the fluid as Blake has it.
+        for (kind, lone) in [("XP", 8.0 / 3.0), ("YP", 8.0), ("ZP", 2.0)] {
+            let found = of(&format!("{kind}{same}_2_2"));
+            assert!((found - lone).abs() < 1e-4, "{kind} {ratio}: {found}");
+            let found = of(&format!("{kind}{across}_2_2"));
+            assert!(found.abs() < 1e-4, "{kind} {ratio}: {found}");
+        }
+        assert!(of(&format!("XP{same}_2_3")).abs() < 1e-4);
+    }
+}

@@ -30,6 +30,7 @@
 //! The rate of work of both surfaces on the fluid, which is what the fluid dissipates, is
 //! `P = -Σ_spheres ∫ u.f dS = Σ_blocks Re Σ_ij conj(A_i) W_ij A_j`, and `W` is symmetric by the reciprocal theorem.
 
+pub mod named;
 mod table;
 
 pub use table::StressTable;
@@ -327,7 +328,7 @@ mod tests {
     use super::*;
     use crate::{Configuration, Squirmer};
 
-    fn pair() -> MovingPair {
+    pub(super) fn pair() -> MovingPair {
         let line = Vector3::new(0.36, 0.48, -0.8);
         let squirmer =
             |modes: &[f64], swirl: &[f64]| Squirmer::new(modes).unwrap().with_swirl(swirl).unwrap();
