@@ -5,11 +5,12 @@ use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use bem::Bem;
-use scene::{Gap, Hydrodynamics};
+use exact::Exact;
+use scene::{Fluid, Gap, Hydrodynamics, SceneError};
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::CompareError;
+use crate::{CompareError, ModelOptions};
 
 /// A hydrodynamic model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -177,6 +178,32 @@ impl Method {
             Self::Isolated => "none",
             Self::Other(OtherModel(other)) => other.name,
         }
+    }
+
+    /// The model of this name as one that knows the flow, for spheres whose radii are in the given `ratio`; boundary elements of the mesh of
+    /// `options`.
+    ///
+    /// # Errors
+    /// [`CompareError::Input`] for a model that knows loads only.
+    pub fn fluid(self, options: &ModelOptions, ratio: f64) -> Result<Box<dyn Fluid>, CompareError> {
+        // Boundary elements become one line once their model is a `Fluid`: `Ok(Box::new(Bem::of_ratio(options.mesh, ratio)?))`.
+        let _ = options;
+        let reason = match self {
+            Self::Exact => {
+                return Ok(Box::new(Exact::of_ratio(ratio).map_err(SceneError::from)?));
+            }
+            Self::Bem => "its flow is not there yet",
+            Self::Lt | Self::LtCorrected => {
+                "lubrication theory knows loads, no flow: give --method exact or --method bem"
+            }
+            Self::Isolated => {
+                "without interaction there is no flow about a pair: give --method exact or --method bem"
+            }
+            Self::Other(_) => {
+                "a model from outside knows loads, no flow: give --method exact or --method bem"
+            }
+        };
+        Err(CompareError::input("method", self, reason))
     }
 
     /// Refuses a gap outside the model's range, of spheres whose radii are in the given `ratio`. Boundary elements of level `mesh` have a

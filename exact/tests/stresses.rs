@@ -11,7 +11,7 @@ use exact::Exact;
 use gauss_quad::legendre::GaussLegendre;
 use pair::pair;
 use scene::nalgebra::{Matrix3, Vector3};
-use scene::stress::{Block, Cause, StressTable, Stresses, lone_stresslet};
+use scene::stress::{Block, Cause, StressTable, Stresses, lone_power, lone_stresslet};
 use scene::{Flow, Fluid, Gap, LoadSet, MovingPair, SelfOther};
 
 fn model(ratio: f64) -> Exact {
@@ -256,18 +256,23 @@ fn val_rigid_motion_works_against_the_loads_of_the_model() {
 
 #[test]
 fn val_a_lone_squirmer_has_the_power_and_the_stresslet_of_blake() {
-    // P = (8/3) pi mu a (2 B_1^2 + B_2^2), S = 4 pi mu a^2 B_2 (p p - I/3).
+    // Two modes: P = (8/3) pi mu a (2 B_1^2 + B_2^2), S = 4 pi mu a^2 B_2 (p p - I/3).
+    let modes = [1.5, -2.0, 0.7, 0.4];
+    let two = scene::Squirmer::new(&modes[..2]).unwrap();
+    let power = 8.0 / 3.0 * PI * (2.0 * modes[0] * modes[0] + modes[1] * modes[1]);
+    assert!((lone_power(&two) / power - 1.0).abs() < 1e-14);
     let mut pair = pair(3000.0, 1.0);
-    let modes = [1.5, -2.0];
+    let swirl = [0.5, -0.8, 0.3];
     let squirmer = scene::Squirmer::new(&modes).unwrap();
+    let squirmer = squirmer.with_swirl(&swirl).unwrap();
     pair.squirmers = [squirmer; 2];
     pair.velocities = pair
         .configuration
         .orientations
         .map(|p| p * (2.0 / 3.0 * modes[0]));
-    pair.angular_velocities = [Vector3::zeros(); 2];
-    let found = stresses(3000.0, 1.0, 2, 0).of(&pair);
-    let power = 8.0 / 3.0 * PI * (2.0 * modes[0] * modes[0] + modes[1] * modes[1]);
+    pair.angular_velocities = pair.configuration.orientations.map(|p| p * -swirl[0]);
+    let found = stresses(3000.0, 1.0, 4, 3).of(&pair);
+    let power = lone_power(&squirmer);
     for k in [0, 1] {
         assert!(
             (found.slip_power[k] / power - 1.0).abs() < 1e-5,

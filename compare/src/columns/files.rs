@@ -14,6 +14,7 @@ use crate::study::cargo::CargoRow;
 use crate::study::maps::{BoundExample, BoundRow, FateRow, ScatterRow, TrustRow, TrustShares};
 use crate::study::panels::TrajectoryRow;
 use crate::study::ratios::RatioRow;
+use crate::study::stress::{StressEncounterRow, StressRow, StressRunRow};
 use crate::study::{ComparisonRow, LoadErrorRow, LoadRow, MeshErrorRow, SlopeRow};
 use crate::sweep::SweepTail;
 use crate::{EncounterRow, Method, OffsetRow};
@@ -48,7 +49,7 @@ const fn file<R: Columns>(
 }
 
 /// Every CSV file. Files with the same kind of row stand together.
-pub const FILES: [CsvFile; 36] = [
+pub const FILES: [CsvFile; 39] = [
     file::<LoadRow>("loads.csv", &["loads"], "Loads at given gaps."),
     file::<EncounterRow>(
         "head-on.csv",
@@ -122,6 +123,21 @@ pub const FILES: [CsvFile; 36] = [
         "Neutral squirmers that meet (Fig. 2c).",
     ),
     file::<SampleRow>("run.csv", &["run"], "The trajectory of a scene file."),
+    file::<StressRow>(
+        "stress.csv",
+        &["stress --gap"],
+        "Stresslets and rates of work at given gaps.",
+    ),
+    file::<StressRunRow>(
+        "stress-run.csv",
+        &["stress SCENE.toml"],
+        "Stresslets, power and efficiency along the run of a scene file.",
+    ),
+    file::<StressEncounterRow>(
+        "stress-encounters.csv",
+        &["stress", "report"],
+        "Excess stress and power of the paper's encounters (Figs 6 and 7).",
+    ),
     file::<SweepTail>(
         "sweep.csv",
         &["sweep", "merge"],

@@ -27,7 +27,7 @@ pub trait Columns {
 }
 
 /// Every unit with its meaning.
-pub const UNITS: [(&str, &str); 9] = [
+pub const UNITS: [(&str, &str); 12] = [
     ("a", "radius of a squirmer"),
     (
         "V_s",
@@ -35,6 +35,12 @@ pub const UNITS: [(&str, &str); 9] = [
     ),
     ("a/V_s", "time in which a lone squirmer swims one radius"),
     ("V_s/a", "rate; for angular velocities, radians per `a/V_s`"),
+    (
+        "mu a^2 V_s",
+        "stresslet, and work; `mu` is the viscosity of the fluid",
+    ),
+    ("mu a V_s^2", "power"),
+    ("mu a^3", "integral of a stresslet over time"),
     ("deg", "degrees, anticlockwise positive"),
     ("s", "seconds of wall-clock time"),
     ("MiB", "2^20 bytes of memory"),

@@ -54,7 +54,7 @@ pub(super) fn text(path: &Path) -> Result<String, CommandError> {
     Ok(text)
 }
 
-fn read(path: &Path) -> Result<SceneFile, CommandError> {
+pub(super) fn read(path: &Path) -> Result<SceneFile, CommandError> {
     let parsed = SceneFile::parse(&text(path)?).map_err(|mistakes| CompareError::SceneFile {
         path: path.to_owned(),
         mistakes,
