@@ -125,7 +125,7 @@ pub const FILES: [CsvFile; 39] = [
     file::<SampleRow>("run.csv", &["run"], "The trajectory of a scene file."),
     file::<StressRow>(
         "stress.csv",
-        &["stress --gap"],
+        &["stress --gap", "report"],
         "Stresslets and rates of work at given gaps.",
     ),
     file::<StressRunRow>(
