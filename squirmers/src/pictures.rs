@@ -158,7 +158,7 @@ pub(crate) fn of_stress(rows: &[StressRow]) -> Result<Vec<Picture>, CommandError
     rows.sort_by(|a, b| a.ratio.total_cmp(&b.ratio));
     let drawn = (rows.chunk_by(|a, b| a.ratio.total_cmp(&b.ratio).is_eq())).map(|alike| {
         let ratio = alike[0].ratio;
-        let name = if ratio == 1.0 {
+        let name = if ratio.total_cmp(&1.0).is_eq() {
             "stress.svg".to_owned()
         } else {
             format!("stress-ratio{}.svg", written(ratio))

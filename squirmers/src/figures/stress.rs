@@ -268,7 +268,8 @@ fn entry(series: usize, name: &str) -> Entry {
     (Key::Line(stroke(series, 0)), name.to_owned())
 }
 
-/// Colours tell what is drawn, dashes which method.
+/// Colours tell what is drawn, dashes which method. The first line is wider, so that it shows under an equal one.
 fn stroke(series: usize, method: usize) -> Stroke {
-    Stroke::new(colour(series), 1.8, Dash::of(method))
+    let width = if series == 0 { 3.6 } else { 1.8 };
+    Stroke::new(colour(series), width, Dash::of(method))
 }
