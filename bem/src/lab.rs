@@ -24,6 +24,7 @@ use crate::dense::solve_all;
 use crate::pieces::check_level;
 use crate::surface::{Block, Profile, Surface, Target, Work};
 use crate::{BemError, slip};
+pub(crate) use poles::turned;
 use poles::{Pole, poles};
 
 /// Size of the rank-one term that fixes the multiple of the normal in each density.

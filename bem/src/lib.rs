@@ -1,4 +1,4 @@
-//! Loads of two squirming spheres, equal or of unlike radii, by the boundary element method.
+//! Loads of two squirming spheres, equal or of unlike radii, and the flow about them, by the boundary element method.
 //!
 //! The Stokes flow about the spheres is written as a single layer over their surfaces,
 //!
@@ -19,6 +19,7 @@
 //! | [`surface`] | one meshed sphere: the velocity that its hat functions induce at a point |
 //! | [`pair`] | two spheres in the pair frame, split by symmetry into at most six small dense systems, three if they are unlike |
 //! | [`lab`] | any spheres anywhere, one dense system: squirmers that are free, or held |
+//! | [`Layers`] | densities on both spheres by any velocities of their surfaces, and their flow anywhere |
 //! | [`model`] | [`Bem`], the model `gap -> loads` that scenes use |
 //!
 //! ```
@@ -31,11 +32,33 @@
 //! assert!(small.pair.xa.own() > loads.xa.own());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! [`Bem`] knows the flow too ([`scene::Fluid`]):
+//!
+//! ```
+//! use bem::Bem;
+//! use scene::{Fluid, MovingPair, Plan, Pose, Scene, Squirmer};
+//! let squirmer = Squirmer::with_beta(1.0, 3.0)?;
+//! let start = [Pose::planar(-1.5, 0.0, 90.0), Pose::planar(1.5, 0.0, 0.0)];
+//! let plan = Plan::new(&Scene::new([squirmer; 2], start, None, None)?)?;
+//! let bem = Bem::new(1)?;
+//! let flow = bem.flow(&MovingPair::free(&plan, &bem, plan.start())?)?;
+//! // On a surface the fluid moves with it.
+//! let normal = scene::nalgebra::Vector3::y();
+//! let point = plan.start().positions()[0] + normal;
+//! let moved = flow.at(&point).velocity - flow.pair().surface_velocity(0, &normal);
+//! assert!(moved.norm() < flow.error_estimate());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod dense;
 mod error;
 mod estimates;
+mod fluid;
+mod interior;
 pub mod lab;
+mod layers;
+mod lone;
 pub mod mesh;
 mod missing;
 pub mod model;
@@ -44,10 +67,12 @@ mod pieces;
 pub mod quadrature;
 mod refinement;
 pub mod slip;
+mod stresses;
 pub mod surface;
 
 pub use error::BemError;
 pub use estimates::Estimates;
 pub use lab::{Body, Lab, Load, Motion};
+pub use layers::Layers;
 
 pub use model::Bem;

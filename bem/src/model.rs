@@ -10,7 +10,7 @@ use scene::{
 use crate::BemError;
 use crate::estimates::Estimates;
 use crate::mesh::MeshFamily;
-use crate::pair::{Condition, EachSolution, PairSolution};
+use crate::pair::{Condition, EachSolution, Motion, PairSolution, Systems};
 use crate::pieces::{DEFAULT_LEVEL, LEVELS, Pieces, check_level, check_ratio};
 use crate::refinement::Refinement;
 
@@ -207,6 +207,20 @@ impl Bem {
     ) -> Result<EachSolution, SceneError> {
         self.counted(gap, set, |piece| {
             refinement.solve_each(piece, gap.eps(), set)
+        })
+    }
+
+    /// What the systems of some kinds of motion at a gap are solved for.
+    pub(crate) fn solved<S>(
+        &self,
+        gap: Gap,
+        motions: &[Motion],
+        solve: impl FnOnce(&Systems<'_, 6>) -> Result<S, BemError>,
+    ) -> Result<S, SceneError> {
+        let set = LoadSet::all(0);
+        self.counted(gap, set, |piece| {
+            let systems = self.refinements[0].systems(piece, gap.eps(), motions);
+            Ok((solve(&systems)?, systems.count()))
         })
     }
 

@@ -23,7 +23,7 @@ use scene::{ActiveLoads, LoadSet, PairLoads, SelfOther, SwirlLoads};
 use crate::BemError;
 use crate::mesh::MeshFamily;
 use crate::missing::{Missing, crossed};
-use crate::pair::{self, Condition, EachSolution, PairSolution, UnlikeMeshes};
+use crate::pair::{self, Condition, EachSolution, Motion, PairSolution, Systems, UnlikeMeshes};
 use crate::pieces::Pieces;
 
 /// Meshes from the smallest gaps to the largest, with the solutions for spheres infinitely far apart.
@@ -162,6 +162,14 @@ impl Refinement {
         match &self.meshes {
             Meshes::Equal(families) => pair::conditions(&families[piece], eps, set),
             Meshes::Unlike(meshes) => pair::conditions_unlike(&meshes[piece], eps, set),
+        }
+    }
+
+    /// The systems of some kinds of motion at the gap `eps`, which lies in `piece`.
+    pub fn systems(&self, piece: usize, eps: f64, motions: &[Motion]) -> Systems<'_, 6> {
+        match &self.meshes {
+            Meshes::Equal(families) => Systems::equal(&families[piece], eps, motions),
+            Meshes::Unlike(meshes) => Systems::unlike(&meshes[piece], eps, motions),
         }
     }
 

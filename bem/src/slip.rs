@@ -10,7 +10,8 @@
 //!
 //! Swirl `Σ C_n W_n(c) p x n` is the same turned by a quarter about the normal, `n x u_s`, part by part.
 
-use nalgebra::Vector3;
+use nalgebra::{Complex, Vector3};
+use scene::stress::legendre_derivative;
 
 /// `P_n(c)` and its first two derivatives.
 #[must_use]
@@ -69,6 +70,60 @@ pub fn transverse_swirl(
     normal.cross(&transverse(n, d, t, normal))
 }
 
+/// Slip at `normal` of the azimuthal part `order` of the mode `n` about z, for the unit amplitude of [`scene::stress`]: minus the surface gradient of
+/// `2/(n(n+1)) Re[(x - i y)^order] P_n^(order)(z)`. Zero for an order above n.
+#[must_use]
+pub fn of_order(n: usize, order: usize, normal: &Vector3<f64>) -> Vector3<f64> {
+    -potential_gradient(n, order, Complex::new(1.0, 0.0), normal)
+}
+
+/// The potential of [`of_order`] at `normal`.
+#[must_use]
+pub fn potential_of_order(n: usize, order: usize, normal: &Vector3<f64>) -> f64 {
+    let across = Complex::new(normal.x, -normal.y).powu(order as u32);
+    factor(n) * across.re * legendre_derivative(n, order, normal.z)
+}
+
+/// Swirl likewise: `n x` the slip of the same potential, but for orders above 0 with `Re[-i (x - i y)^order]`.
+#[must_use]
+pub fn swirl_of_order(n: usize, order: usize, normal: &Vector3<f64>) -> Vector3<f64> {
+    let phase = if order == 0 {
+        Complex::new(1.0, 0.0)
+    } else {
+        Complex::new(0.0, -1.0)
+    };
+    -normal.cross(&potential_gradient(n, order, phase, normal))
+}
+
+/// Surface gradient of `2/(n(n+1)) Re[phase (x - i y)^order] P_n^(order)(z)`.
+fn potential_gradient(
+    n: usize,
+    order: usize,
+    phase: Complex<f64>,
+    normal: &Vector3<f64>,
+) -> Vector3<f64> {
+    let derivative = |order: usize| {
+        if order > n {
+            0.0
+        } else {
+            legendre_derivative(n, order, normal.z)
+        }
+    };
+    let across = Complex::new(normal.x, -normal.y);
+    let value = (phase * across.powu(order as u32)).re;
+    let slope = match order.checked_sub(1) {
+        Some(less) => phase * across.powu(less as u32) * order as f64,
+        None => Complex::new(0.0, 0.0),
+    };
+    // d/dy of (x - i y)^m is -i times d/dx of it.
+    let gradient = Vector3::new(
+        slope.re * derivative(order),
+        slope.im * derivative(order),
+        value * derivative(order + 1),
+    );
+    (gradient - normal * normal.dot(&gradient)) * factor(n)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -78,6 +133,28 @@ mod tests {
         let (d, t) = (Vector3::z(), Vector3::x());
         let normal = Vector3::new(0.48, 0.6, 0.64);
         assert!((transverse(1, &d, &t, &normal) - axisymmetric(1, &t, &normal)).norm() < 1e-15);
+    }
+
+    #[test]
+    fn the_first_two_orders_are_those_that_carry_load() {
+        let (d, t) = (Vector3::z(), Vector3::x());
+        let normal = Vector3::new(0.48, 0.6, 0.64);
+        for n in 1..=4 {
+            for (of_order, expected) in [
+                (of_order(n, 0, &normal), axisymmetric(n, &d, &normal)),
+                (of_order(n, 1, &normal), transverse(n, &d, &t, &normal)),
+                (
+                    swirl_of_order(n, 0, &normal),
+                    axisymmetric_swirl(n, &d, &normal),
+                ),
+                (
+                    swirl_of_order(n, 1, &normal),
+                    transverse_swirl(n, &d, &-Vector3::y(), &normal),
+                ),
+            ] {
+                assert!((of_order - expected).norm() < 1e-14, "{n}");
+            }
+        }
     }
 
     #[test]

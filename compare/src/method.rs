@@ -184,15 +184,13 @@ impl Method {
     /// `options`.
     ///
     /// # Errors
-    /// [`CompareError::Input`] for a model that knows loads only.
+    /// [`CompareError::Input`] for a model that knows loads only; as [`crate::Model::set_up`] for radii and meshes that are not allowed.
     pub fn fluid(self, options: &ModelOptions, ratio: f64) -> Result<Box<dyn Fluid>, CompareError> {
-        // Boundary elements become one line once their model is a `Fluid`: `Ok(Box::new(Bem::of_ratio(options.mesh, ratio)?))`.
-        let _ = options;
         let reason = match self {
             Self::Exact => {
                 return Ok(Box::new(Exact::of_ratio(ratio).map_err(SceneError::from)?));
             }
-            Self::Bem => "its flow is not there yet",
+            Self::Bem => return Ok(Box::new(Bem::of_ratio(options.mesh, ratio)?)),
             Self::Lt | Self::LtCorrected => {
                 "lubrication theory knows loads, no flow: give --method exact or --method bem"
             }

@@ -6,9 +6,9 @@
 mod pair;
 
 use exact::Exact;
-use pair::pair;
+use pair::{free, lone_flow, pair};
 use scene::nalgebra::{Matrix3, Vector3};
-use scene::{Flow, Fluid, Gap, MovingPair, Plan, Pose, Scene, Squirmer};
+use scene::{Flow, Fluid, Gap, MovingPair, SceneError};
 
 const RATIOS: [f64; 3] = [1.0, 0.4, 3.0];
 const GAPS: [f64; 5] = [0.01, 0.03, 0.1, 1.0, 10.0];
@@ -129,24 +129,6 @@ fn val_the_flow_has_the_velocity_of_both_surfaces_and_says_how_well() {
     }
 }
 
-/// Two squirmers that swim freely.
-fn free(gap: f64, ratio: f64) -> MovingPair {
-    let squirmers = [
-        Squirmer::with_beta(1.0, 3.0).unwrap(),
-        Squirmer::with_beta(0.7, -2.0)
-            .unwrap()
-            .with_radius(ratio)
-            .unwrap(),
-    ];
-    let start = [
-        Pose::planar(0.0, 0.0, 50.0),
-        Pose::planar(1.0 + ratio + gap, 0.0, 160.0),
-    ];
-    let plan = Plan::new(&Scene::new(squirmers, start, None, None).unwrap()).unwrap();
-    let model = Exact::of_ratio(ratio).unwrap();
-    MovingPair::free(&plan, &model, plan.start()).unwrap()
-}
-
 #[test]
 fn val_far_away_a_free_pair_is_the_sum_of_its_stresslets() {
     for (gap, ratio) in [(0.02, 1.0), (0.5, 1.0), (0.1, 0.4), (1.0, 3.0)] {
@@ -181,17 +163,6 @@ fn val_far_away_a_free_pair_is_the_sum_of_its_stresslets() {
 
 #[test]
 fn val_a_distant_pair_moves_the_fluid_as_two_lone_squirmers_do() {
-    // Blake 1971, in spherical coordinates about a squirmer's centre, as it swims with 2 B_1/3.
-    let lone = |pair: &MovingPair, k: usize, point: &Vector3<f64>| {
-        let [b1, b2] = [pair.squirmers[k].mode(0), pair.squirmers[k].mode(1)];
-        let p = pair.configuration.orientations[k];
-        let x = point - pair.configuration.positions()[k];
-        let r = x.norm();
-        let (n, c) = (x / r, x.dot(&p) / r);
-        let potential = (n * (3.0 * c) - p) * (b1 / 3.0 / r.powi(3));
-        let radial = n * (b2 * (1.5 * c * c - 0.5) * (r.powi(-4) - r.powi(-2)));
-        potential + radial + (n * c - p) * (b2 * c * r.powi(-4))
-    };
     let mut before = f64::INFINITY;
     for gap in [20.0, 40.0, 80.0] {
         let pair = free(gap, 1.0);
@@ -200,7 +171,7 @@ fn val_a_distant_pair_moves_the_fluid_as_two_lone_squirmers_do() {
         for k in 0..40 {
             let [u, v, r] = spread(k);
             let point = pair.configuration.positions()[0] + direction(u, v) * (1.0 + 3.0 * r);
-            let expected = lone(&pair, 0, &point) + lone(&pair, 1, &point);
+            let expected = lone_flow(&pair, 0, &point) + lone_flow(&pair, 1, &point);
             worst = worst.max((flow.at(&point).velocity - expected).norm());
         }
         println!("gap {gap}: {worst:.1e}");
@@ -208,4 +179,25 @@ fn val_a_distant_pair_moves_the_fluid_as_two_lone_squirmers_do() {
         assert!(worst < 60.0 / gap.powi(3) && worst < 0.2 * before);
         before = worst;
     }
+}
+
+#[test]
+fn a_pair_of_other_radii_or_at_a_gap_without_digits_is_refused() {
+    let model = Exact::of_ratio(0.5).unwrap();
+    let refused = model.flow(&pair(0.1, 0.4)).err();
+    assert!(
+        matches!(refused, Some(SceneError::OtherRatio { .. })),
+        "{refused:?}"
+    );
+    for gap in [4e-7, 2e4] {
+        let refused = model.flow(&pair(gap, 0.5)).err();
+        assert!(
+            matches!(refused, Some(SceneError::GapOutsideRange { .. })),
+            "{refused:?}"
+        );
+        assert!(model.stresses(Gap::new(gap).unwrap(), 2, 0).is_err());
+    }
+    let model = Exact::new();
+    let many = model.stresses(Gap::new(1.0).unwrap(), scene::MAX_MODES + 1, 0);
+    assert!(matches!(many, Err(SceneError::TooManyModes { .. })));
 }

@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 
 use exact::Exact;
 use gauss_quad::legendre::GaussLegendre;
-use pair::pair;
+use pair::{free, lone_flow, pair};
 use scene::nalgebra::{Matrix3, Vector3};
 use scene::stress::{Block, Cause, StressTable, Stresses, lone_power, lone_stresslet};
 use scene::{Flow, Fluid, Gap, LoadSet, MovingPair, SelfOther};
@@ -329,5 +329,30 @@ fn val_named_numbers_of_lone_squirmers_are_those_of_the_documentation() {
             assert!(found.abs() < 1e-4, "{kind} {ratio}: {found}");
         }
         assert!(of(&format!("XP{same}_2_3")).abs() < 1e-4);
+    }
+}
+
+#[test]
+fn val_a_distant_squirmer_answers_the_strain_of_the_other_one() {
+    // Faxén: (20/3) pi mu a^3 times the strain of the other's flow at its centre, and its Laplacian over 10, which is of the order r^-5.
+    let mut before = f64::INFINITY;
+    for gap in [10.0, 20.0, 40.0] {
+        let pair = free(gap, 1.0);
+        let found = stresses(gap, 1.0, 2, 0).of(&pair);
+        let mut worst = 0.0_f64;
+        for k in [0, 1] {
+            let centre = pair.configuration.positions()[k];
+            let flow = |step: Vector3<f64>| lone_flow(&pair, 1 - k, &(centre + step));
+            let slope =
+                |j: usize| (flow(Vector3::ith(j, 1e-3)) - flow(Vector3::ith(j, -1e-3))) / 2e-3;
+            let gradient = Matrix3::from_columns(&[0, 1, 2].map(slope));
+            let expected = (gradient + gradient.transpose()) * (0.5 * 20.0 / 3.0 * PI);
+            let excess = found.stresslets[k] - lone_stresslet(&pair, k);
+            assert!(expected.amax() > 1.0 / gap.powi(3));
+            worst = worst.max((excess - expected).amax());
+        }
+        println!("gap {gap}: {worst:.1e}");
+        assert!(worst < 400.0 / gap.powi(5) && worst < before / 20.0);
+        before = worst;
     }
 }

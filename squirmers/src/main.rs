@@ -14,6 +14,7 @@ mod provenance;
 mod report;
 mod streams;
 mod terminal;
+mod vtk;
 
 use std::process::ExitCode;
 

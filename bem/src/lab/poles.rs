@@ -88,7 +88,7 @@ fn nearest(first: usize, bodies: &[Body]) -> Result<Option<Neighbour>, BemError>
 }
 
 /// The rotation that turns z towards `direction`.
-fn turned(direction: &Vector3<f64>) -> UnitQuaternion<f64> {
+pub fn turned(direction: &Vector3<f64>) -> UnitQuaternion<f64> {
     UnitQuaternion::rotation_between(&Vector3::z(), direction).unwrap_or_else(|| {
         UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI)
     })

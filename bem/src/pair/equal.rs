@@ -12,6 +12,7 @@
 use std::f64::consts::PI;
 use std::time::Instant;
 
+use nalgebra::Vector3;
 use rayon::prelude::*;
 use scene::{LoadSet, PairLoads, SelfOther, SwirlLoads};
 
@@ -21,6 +22,7 @@ use super::parity::{Motion, Parity, Swap};
 use super::response::{Response, Slips};
 use super::side::Side;
 use super::solution::{PairSolution, Seconds, added_up};
+use super::systems::{Densities, Velocities};
 use crate::BemError;
 use crate::dense::solve_all;
 use crate::mesh::MeshFamily;
@@ -44,7 +46,7 @@ pub fn solve<const H: usize>(
         classes,
         matrices,
         work,
-    } = Systems::new(family, eps, set);
+    } = Systems::new(family, eps, parities(set));
     let assembly = start.elapsed().as_secs_f64();
     let solved = classes
         .par_iter()
@@ -79,7 +81,7 @@ pub fn conditions<const H: usize>(
     eps: f64,
     set: LoadSet,
 ) -> Result<Vec<Condition>, BemError> {
-    let systems = Systems::new(family, eps, set);
+    let systems = Systems::new(family, eps, parities(set));
     (systems.classes.par_iter().zip(systems.matrices))
         .map(|(class, matrix)| {
             let swap = Some(class.parity.swap);
@@ -88,15 +90,23 @@ pub fn conditions<const H: usize>(
         .collect()
 }
 
+/// The classes that a set of loads calls for.
+fn parities(set: LoadSet) -> impl Iterator<Item = Parity> {
+    Parity::ALL
+        .into_iter()
+        .filter(move |parity| parity.is_in(set))
+}
+
 /// One symmetry class.
 struct Class {
     parity: Parity,
     unknowns: Unknowns,
 }
 
-/// The systems of the classes that a set of loads calls for.
-struct Systems<'a, const H: usize> {
-    side: Side<'a, H>,
+/// The systems of some classes.
+pub struct Systems<'a, const H: usize> {
+    /// Either sphere.
+    pub side: Side<'a, H>,
     classes: Vec<Class>,
     /// Row by row.
     matrices: Vec<Vec<f64>>,
@@ -104,11 +114,15 @@ struct Systems<'a, const H: usize> {
 }
 
 impl<'a, const H: usize> Systems<'a, H> {
-    fn new(family: &'a MeshFamily<H>, eps: f64, set: LoadSet) -> Self {
+    /// Assembles the systems of the classes at the gap `eps`.
+    pub fn new(
+        family: &'a MeshFamily<H>,
+        eps: f64,
+        parities: impl Iterator<Item = Parity>,
+    ) -> Self {
         let eps = eps.min(FARTHEST);
         let side = Side::new(family, eps);
-        let classes: Vec<Class> = (Parity::ALL.into_iter())
-            .filter(|parity| parity.is_in(set))
+        let classes: Vec<Class> = parities
             .map(|parity| Class {
                 parity,
                 unknowns: Unknowns::new(parity.motion, &side),
@@ -121,6 +135,46 @@ impl<'a, const H: usize> Systems<'a, H> {
             matrices,
             work,
         }
+    }
+
+    /// What each velocity of both surfaces adds to the densities by its part in the class `k`. Both spheres' numbers are in their own frames.
+    ///
+    /// The velocities `u1`, `u2` have the part `(u1 + s u2)/2` on sphere 1, and s times its mirror image on sphere 2.
+    ///
+    /// # Errors
+    /// [`BemError::Residual`] if the dense system could not be solved.
+    pub fn densities(
+        &self,
+        k: usize,
+        velocities: &[Velocities],
+    ) -> Result<Vec<Densities>, BemError> {
+        let Class { parity, unknowns } = &self.classes[k];
+        let swap = if parity.swap == Swap::Mirrored {
+            1.0
+        } else {
+            -1.0
+        };
+        let right: Vec<Vec<f64>> = (velocities.iter())
+            .map(|[one, two]| {
+                let half = |y: &Vector3<f64>| (one(y) + two(y) * swap) * 0.5;
+                unknowns.right_hand_side(&self.side, |y| parity.motion.part(half, y))
+            })
+            .collect();
+        let solved = solve_all(&self.matrices[k], &right)?;
+        let all = |density: &Vec<f64>| {
+            let one = unknowns.at_all_nodes(&self.side, density);
+            let two = one.iter().map(|f| f * swap).collect();
+            [one, two]
+        };
+        Ok(solved.x.iter().map(all).collect())
+    }
+
+    /// How many classes there are, and the kind of motion of each.
+    pub fn motions(&self) -> Vec<Motion> {
+        self.classes
+            .iter()
+            .map(|class| class.parity.motion)
+            .collect()
     }
 }
 

@@ -9,6 +9,8 @@
 //! | [`Motion::Transverse`] | - | + | YA, YB, YC, YF, YT, YFC, YTC |
 //! | [`Motion::Twist`] | - | - | XC, XTC |
 //!
+//! The two more are [`Motion::Sideways`], transverse motions a quarter turn on: any velocity of the surfaces has a part in each of the eight.
+//!
 //! Only vertices of sphere 1 with `x >= 0`, `y >= 0` are unknowns, so each system has about an eighth
 //! of the full one's unknowns, and takes 1/512 of its factorisation. Classes that a set of
 //! loads does not call for are not assembled.
@@ -23,10 +25,12 @@ mod parity;
 mod response;
 mod side;
 mod solution;
+mod systems;
 mod unlike;
 
 pub use condition::Condition;
 pub use equal::{conditions, solve};
 pub use parity::{Motion, Parity, Swap};
 pub use solution::{EachSolution, PairSolution, Seconds};
+pub(crate) use systems::{Densities, Systems, Velocities};
 pub use unlike::{UnlikeMeshes, conditions_unlike, solve_unlike};

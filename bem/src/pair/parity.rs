@@ -3,6 +3,7 @@
 //! A field of parity s under a mirror R satisfies `f(R y) = s R f(y)`. A translation along x has
 //! parity -1 under `x -> -x`, and so has a rotation about y or z.
 
+use nalgebra::Vector3;
 use scene::LoadSet;
 
 use crate::mesh::Image;
@@ -10,17 +11,22 @@ use crate::mesh::Image;
 /// What sphere 1 does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Motion {
-    /// Translation along the line of centres, z, and axisymmetric slip.
+    /// Translation along the line of centres, z, and slip of even azimuthal order that goes as `cos mφ`.
     Axial,
-    /// Translation along x and rotation about y, and slip of azimuthal order 1.
+    /// Translation along x and rotation about y, and slip of odd order that goes as `cos mφ`.
     Transverse,
-    /// Rotation about the line of centres.
+    /// Rotation about the line of centres, and slip of even order that goes as `sin mφ`.
     Twist,
+    /// [`Motion::Transverse`] a quarter turn on: translation along y, rotation about x, slip of odd order that goes as `sin mφ`.
+    Sideways,
 }
 
 impl Motion {
-    /// All kinds that carry load.
+    /// All kinds whose loads are solved for; those of [`Motion::Sideways`] are the same as of [`Motion::Transverse`].
     pub const ALL: [Self; 3] = [Self::Axial, Self::Transverse, Self::Twist];
+
+    /// All kinds: any velocity of a surface is a sum of one of each.
+    pub const COMPLETE: [Self; 4] = [Self::Axial, Self::Transverse, Self::Twist, Self::Sideways];
 
     /// Whether a set of loads calls for it, of whatever sphere.
     pub(crate) fn is_in(self, set: LoadSet) -> bool {
@@ -29,6 +35,7 @@ impl Motion {
             Self::Axial => set.axial.any(),
             Self::Transverse => set.transverse.any() || slip,
             Self::Twist => set.twist || slip,
+            Self::Sideways => false,
         }
     }
 
@@ -38,7 +45,28 @@ impl Motion {
             Self::Axial => [1.0, 1.0],
             Self::Transverse => [-1.0, 1.0],
             Self::Twist => [-1.0, -1.0],
+            Self::Sideways => [1.0, -1.0],
         }
+    }
+
+    /// The part of a field that has this symmetry, at a point: the mean over the mirrors x, y and both, with their signs.
+    pub(crate) fn part(
+        self,
+        field: impl Fn(&Vector3<f64>) -> Vector3<f64>,
+        point: &Vector3<f64>,
+    ) -> Vector3<f64> {
+        let [x, y] = self.mirrors();
+        let images = [
+            (1.0, [1.0, 1.0]),
+            (x, [-1.0, 1.0]),
+            (y, [1.0, -1.0]),
+            (x * y, [-1.0, -1.0]),
+        ];
+        let image = |(sign, [along_x, along_y]): (f64, [f64; 2])| {
+            let mirror = Vector3::new(along_x, along_y, 1.0);
+            field(&point.component_mul(&mirror)).component_mul(&mirror) * sign
+        };
+        images.into_iter().map(image).sum::<Vector3<f64>>() * 0.25
     }
 
     /// Signs of the three components of the field at an image, relative to the representative.
@@ -103,7 +131,7 @@ impl Parity {
         ]
     };
 
-    const fn of(motion: Motion, swap: Swap) -> Self {
+    pub(crate) const fn of(motion: Motion, swap: Swap) -> Self {
         Self { motion, swap }
     }
 
@@ -124,6 +152,7 @@ impl Parity {
             (Motion::Transverse, Mirrored, _, [read, _])
             | (Motion::Transverse, Opposite, _, [_, read]) => read || slip,
             (Motion::Twist, ..) => set.twist || slip,
+            (Motion::Sideways, ..) => false,
         }
     }
 

@@ -38,6 +38,7 @@ pub fn rigid_motions(motion: Motion) -> &'static [Velocity] {
         Motion::Axial => &[|_| Vector3::z()],
         Motion::Transverse => &[|_| Vector3::x(), |normal| Vector3::y().cross(normal)],
         Motion::Twist => &[|normal| Vector3::z().cross(normal)],
+        Motion::Sideways => &[|_| Vector3::y(), |normal| Vector3::x().cross(normal)],
     }
 }
 
@@ -54,10 +55,10 @@ impl Slips {
         let squirming = (1..=set.modes).filter_map(|n| match motion {
             Motion::Axial => Some(surface.tangential_part(|y| slip::axisymmetric(n, &d, y))),
             Motion::Transverse => Some(surface.tangential_part(|y| slip::transverse(n, &d, &t, y))),
-            Motion::Twist => None,
+            Motion::Twist | Motion::Sideways => None,
         });
         let swirling = (1..=set.swirl).filter_map(|n| match motion {
-            Motion::Axial => None,
+            Motion::Axial | Motion::Sideways => None,
             Motion::Transverse => {
                 Some(surface.tangential_part(|y| slip::transverse_swirl(n, &d, &turned, y)))
             }
@@ -70,13 +71,38 @@ impl Slips {
 impl Unknowns {
     /// The velocities by each rigid motion of the sphere, unknown by unknown.
     pub fn right_hand_sides<const H: usize>(&self, side: &Side<'_, H>) -> Vec<Vec<f64>> {
-        let points: Vec<(Vector3<f64>, usize)> = (self.list.iter())
-            .map(|&(j, c)| (side.surface.nodes()[side.orbits.representatives[j]], c))
-            .collect();
         rigid_motions(self.motion)
             .iter()
-            .map(|u| points.iter().map(|(normal, c)| u(normal)[*c]).collect())
+            .map(|u| self.right_hand_side(side, u))
             .collect()
+    }
+
+    /// The velocities of the sphere's surface, given at the unit normal, unknown by unknown.
+    pub fn right_hand_side<const H: usize>(
+        &self,
+        side: &Side<'_, H>,
+        velocity: impl Fn(&Vector3<f64>) -> Vector3<f64>,
+    ) -> Vec<f64> {
+        let at = |&(j, c): &(usize, usize)| {
+            velocity(&side.surface.nodes()[side.orbits.representatives[j]])[c]
+        };
+        self.list.iter().map(at).collect()
+    }
+
+    /// The density at every node, from that of the unknowns.
+    pub fn at_all_nodes<const H: usize>(
+        &self,
+        side: &Side<'_, H>,
+        density: &[f64],
+    ) -> Vec<Vector3<f64>> {
+        let mut representatives = vec![Vector3::zeros(); side.orbits.representatives.len()];
+        for (&(j, c), &value) in self.list.iter().zip(density) {
+            representatives[j][c] = value;
+        }
+        let at = |image: &crate::mesh::Image| {
+            representatives[image.of].component_mul(&Vector3::from(self.motion.signs(image)))
+        };
+        side.orbits.images.iter().map(at).collect()
     }
 
     /// What the density on this sphere tells.
@@ -110,6 +136,7 @@ impl Unknowns {
             Motion::Axial => (force.z, 0.0),
             Motion::Transverse => (force.x, torque.y),
             Motion::Twist => (0.0, torque.z),
+            Motion::Sideways => (force.y, torque.x),
         };
         Response {
             force,

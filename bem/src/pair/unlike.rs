@@ -24,6 +24,7 @@ use super::parity::Motion;
 use super::response::Slips;
 use super::side::Side;
 use super::solution::{EachSolution, Seconds, added_up};
+use super::systems::{Densities, Velocities};
 use crate::BemError;
 use crate::dense::solve_all;
 use crate::mesh::{Grading, MeshFamily};
@@ -94,7 +95,7 @@ pub fn solve_unlike<const H: usize>(
     set: LoadSet,
 ) -> Result<EachSolution, BemError> {
     let start = Instant::now();
-    let systems = Systems::new(meshes, eps, set);
+    let systems = Systems::new(meshes, eps, motions(set));
     let assembly = start.elapsed().as_secs_f64();
     let solved = (systems.classes.par_iter().zip(&systems.matrices))
         .map(|(class, matrix)| class.responses(matrix, &systems.sides, set))
@@ -137,7 +138,7 @@ pub fn conditions_unlike<const H: usize>(
     eps: f64,
     set: LoadSet,
 ) -> Result<Vec<Condition>, BemError> {
-    let systems = Systems::new(meshes, eps, set);
+    let systems = Systems::new(meshes, eps, motions(set));
     let [one, two] = &systems.sides;
     (systems.classes.par_iter().zip(systems.matrices))
         .map(|(class, matrix)| {
@@ -147,15 +148,23 @@ pub fn conditions_unlike<const H: usize>(
         .collect()
 }
 
+/// The kinds of motion that a set of loads calls for.
+fn motions(set: LoadSet) -> impl Iterator<Item = Motion> {
+    Motion::ALL
+        .into_iter()
+        .filter(move |motion| motion.is_in(set))
+}
+
 /// The unknowns of both spheres for one kind of motion, those of sphere 1 first.
 struct Class {
     motion: Motion,
     unknowns: [Unknowns; 2],
 }
 
-/// The systems of the kinds of motion that a set of loads calls for.
-struct Systems<'a, const H: usize> {
-    sides: [Side<'a, H>; 2],
+/// The systems of some kinds of motion.
+pub struct Systems<'a, const H: usize> {
+    /// The spheres.
+    pub sides: [Side<'a, H>; 2],
     classes: Vec<Class>,
     /// Row by row.
     matrices: Vec<Vec<f64>>,
@@ -163,12 +172,16 @@ struct Systems<'a, const H: usize> {
 }
 
 impl<'a, const H: usize> Systems<'a, H> {
-    fn new(meshes: &'a UnlikeMeshes<H>, eps: f64, set: LoadSet) -> Self {
+    /// Assembles the systems of the kinds of motion at the gap `eps`.
+    pub fn new(
+        meshes: &'a UnlikeMeshes<H>,
+        eps: f64,
+        motions: impl Iterator<Item = Motion>,
+    ) -> Self {
         let eps = eps.min(FARTHEST);
         let radii = meshes.radii();
         let sides = [0, 1].map(|k| Side::new(&meshes.families[k], mirror_gap(eps, radii[k])));
-        let classes: Vec<Class> = (Motion::ALL.into_iter())
-            .filter(|motion| motion.is_in(set))
+        let classes: Vec<Class> = motions
             .map(|motion| Class {
                 motion,
                 unknowns: sides.each_ref().map(|side| Unknowns::new(motion, side)),
@@ -185,6 +198,43 @@ impl<'a, const H: usize> Systems<'a, H> {
             matrices,
             work,
         }
+    }
+
+    /// What each velocity of both surfaces adds to the densities by its part in the kind of motion `k`. Both spheres' numbers are in their own
+    /// frames.
+    ///
+    /// # Errors
+    /// [`BemError::Residual`] if the dense system could not be solved.
+    pub fn densities(
+        &self,
+        k: usize,
+        velocities: &[Velocities],
+    ) -> Result<Vec<Densities>, BemError> {
+        let class = &self.classes[k];
+        let right: Vec<Vec<f64>> = (velocities.iter())
+            .map(|both| {
+                let of = |sphere: usize| {
+                    class.unknowns[sphere].right_hand_side(&self.sides[sphere], |y| {
+                        class.motion.part(|y| both[sphere](y), y)
+                    })
+                };
+                [of(0), of(1)].concat()
+            })
+            .collect();
+        let solved = solve_all(&self.matrices[k], &right)?;
+        let all = |density: &Vec<f64>| {
+            let (one, two) = density.split_at(class.first()[1]);
+            let of = |sphere: usize, density| {
+                class.unknowns[sphere].at_all_nodes(&self.sides[sphere], density)
+            };
+            [of(0, one), of(1, two)]
+        };
+        Ok(solved.x.iter().map(all).collect())
+    }
+
+    /// How many systems there are, and the kind of motion of each.
+    pub fn motions(&self) -> Vec<Motion> {
+        self.classes.iter().map(|class| class.motion).collect()
     }
 }
 

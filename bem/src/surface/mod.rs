@@ -12,6 +12,7 @@
 //! squeeze flow is what little is left after the two spheres' contributions cancel.
 
 mod kernel;
+mod layer;
 mod panel;
 mod profile;
 mod work;
@@ -27,12 +28,16 @@ use kernel::{RUNS, Sums};
 use panel::Panel;
 use work::Stopwatch;
 
+pub(crate) use layer::Layer;
 pub use profile::{Profile, mirror_gap};
 pub use work::{Share, Work};
 
 /// Points of the rule for a target at a corner, along its rays and across them.
 const CORNER: (usize, usize) = (14, 28);
 pub(crate) const CORNER_POINTS: usize = CORNER.0 * CORNER.1;
+
+/// Order of the rule for smooth velocities times hat functions.
+const SMOOTH: usize = 6;
 
 /// Deepest division of a panel near a target.
 const DEEPEST: usize = 40;
@@ -138,6 +143,11 @@ impl<const H: usize> Surface<H> {
         &self.nodes.points
     }
 
+    /// The flow of the densities `f`, given node by node.
+    pub(crate) fn layer(&self, f: &[Vector3<f64>]) -> Layer<H> {
+        Layer::new(self, f)
+    }
+
     /// The functional that is to vanish, so that the multiple of the normal in the density is fixed:
     /// `((1 - z)/2)² ∫ n.T_v f hat_v dS` for the density f at vertex v, as a vector to multiply f with.
     ///
@@ -165,22 +175,47 @@ impl<const H: usize> Surface<H> {
     /// the unit normal, as vectors to multiply f with.
     #[must_use]
     pub fn tangential_part(&self, u: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Vec<Vector3<f64>> {
-        let mut sums = vec![Vector3::zeros(); self.nodes.points.len()];
+        // u.(f + (n φ/φ_v - n_v)(n_v.f)) = u.f - (u.n_v)(n_v.f), since u.n = 0.
+        let across = |((sum, _), normal): ((Vector3<f64>, f64), &Vector3<f64>)| {
+            sum - normal * normal.dot(&sum)
+        };
+        let sums = self.integrated(&self.rules[self.rules.len() - 1], u);
+        sums.into_iter()
+            .zip(&self.nodes.points)
+            .map(across)
+            .collect()
+    }
+
+    /// The same for any velocity u, by a rule of fewer points: it is for smooth ones.
+    #[must_use]
+    pub fn work(&self, u: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Vec<Vector3<f64>> {
+        // The normal part of u has φ/φ_v n in place of n_v.
+        let part = |((sum, normal_sum), normal): ((Vector3<f64>, f64), &Vector3<f64>)| {
+            sum + normal * (normal_sum / self.profile.at(normal) - normal.dot(&sum))
+        };
+        let sums = self.integrated(&self.rules[SMOOTH - ORDERS.start()], u);
+        sums.into_iter().zip(&self.nodes.points).map(part).collect()
+    }
+
+    /// `∫ u hat_v dS` and `∫ u.n φ hat_v dS` at each vertex v.
+    fn integrated(
+        &self,
+        rule: &[Point],
+        u: impl Fn(&Vector3<f64>) -> Vector3<f64>,
+    ) -> Vec<(Vector3<f64>, f64)> {
+        let mut sums = vec![(Vector3::zeros(), 0.0); self.nodes.points.len()];
         for (panel, nodes) in self.panels.iter().zip(&self.nodes.of_triangle) {
-            for point in &self.rules[self.rules.len() - 1] {
+            for point in rule {
                 let (position, area) = panel.at(point);
                 let velocity = u(&position) * area;
+                let along = velocity.dot(&position) * self.profile.at(&position);
                 for (&v, hat) in nodes.iter().zip(hats::<H>(point.hats)) {
-                    sums[v] += velocity * hat;
+                    sums[v].0 += velocity * hat;
+                    sums[v].1 += along * hat;
                 }
             }
         }
-        // u.(f + (n φ/φ_v - n_v)(n_v.f)) = u.f - (u.n_v)(n_v.f), since u.n = 0.
-        let along = |(sum, normal): (Vector3<f64>, &Vector3<f64>)| sum - normal * normal.dot(&sum);
-        sums.into_iter()
-            .zip(&self.nodes.points)
-            .map(along)
-            .collect()
+        sums
     }
 
     fn integrate_hats(&mut self) {

@@ -49,6 +49,14 @@ impl Panel {
         }
     }
 
+    /// The same with its own geometry for the reference, by which rules are chosen.
+    pub fn as_it_is(&self) -> Self {
+        Self {
+            coordinates: self.coordinates,
+            ..Self::new(self.flat, self.flat)
+        }
+    }
+
     /// The part whose corners have the barycentric coordinates `corners` in this one.
     fn part(&self, corners: Corners) -> Self {
         let place = |of: &[Vector3<f64>; 3], [a, b, c]: [f64; 3]| of[0] * a + of[1] * b + of[2] * c;
@@ -96,6 +104,21 @@ impl Panel {
             .map(move |i| self.part([apex, WHOLE[(i + 1) % 3], WHOLE[(i + 2) % 3]]))
     }
 
+    /// Coordinates in the whole panel of a point with these coordinates in the part.
+    pub fn in_whole(&self, at: [f64; 3]) -> [f64; 3] {
+        interpolated(at, &self.coordinates)
+    }
+
+    /// Barycentric coordinates in this one of the point of the flat triangle's plane that a unit normal points to; all are positive for a point
+    /// within.
+    pub fn barycentric(&self, normal: &Vector3<f64>) -> [f64; 3] {
+        let [a, b, c] = self.flat;
+        let shares = [b.cross(&c), c.cross(&a), a.cross(&b)].map(|side| side.dot(normal));
+        // Taken so that the other side of the sphere is outside.
+        let sum = shares.iter().sum::<f64>().abs();
+        shares.map(|share| share / sum)
+    }
+
     /// Position on the sphere and area of a quadrature point.
     pub fn at(&self, point: &Point) -> (Vector3<f64>, f64) {
         let [a, b, c] = self.flat;
@@ -117,7 +140,7 @@ impl Panel {
                 out[k * n + q] = position[k];
             }
             out[3 * n + q] = profile.at(&position);
-            let hats = hats::<H>(interpolated(point.hats, &self.coordinates));
+            let hats = hats::<H>(self.in_whole(point.hats));
             for (k, hat) in hats.into_iter().enumerate() {
                 out[(RUNS + k) * n + q] = weight * hat;
             }

@@ -11,6 +11,7 @@ use crate::reference::{
 };
 use crate::scene_run::SampleRow;
 use crate::study::cargo::CargoRow;
+use crate::study::flow::FlowRow;
 use crate::study::maps::{BoundExample, BoundRow, FateRow, ScatterRow, TrustRow, TrustShares};
 use crate::study::panels::TrajectoryRow;
 use crate::study::ratios::RatioRow;
@@ -49,7 +50,7 @@ const fn file<R: Columns>(
 }
 
 /// Every CSV file. Files with the same kind of row stand together.
-pub const FILES: [CsvFile; 39] = [
+pub const FILES: [CsvFile; 40] = [
     file::<LoadRow>("loads.csv", &["loads"], "Loads at given gaps."),
     file::<EncounterRow>(
         "head-on.csv",
@@ -123,6 +124,11 @@ pub const FILES: [CsvFile; 39] = [
         "Neutral squirmers that meet (Fig. 2c).",
     ),
     file::<SampleRow>("run.csv", &["run"], "The trajectory of a scene file."),
+    file::<FlowRow>(
+        "flow.csv",
+        &["flow"],
+        "The flow about a pair on a grid in the plane of motion; with `--every` a file for each frame, `flow-0001.csv` and so on.",
+    ),
     file::<StressRow>(
         "stress.csv",
         &["stress --gap", "report"],

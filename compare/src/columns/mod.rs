@@ -27,7 +27,7 @@ pub trait Columns {
 }
 
 /// Every unit with its meaning.
-pub const UNITS: [(&str, &str); 12] = [
+pub const UNITS: [(&str, &str); 13] = [
     ("a", "radius of a squirmer"),
     (
         "V_s",
@@ -35,6 +35,10 @@ pub const UNITS: [(&str, &str); 12] = [
     ),
     ("a/V_s", "time in which a lone squirmer swims one radius"),
     ("V_s/a", "rate; for angular velocities, radians per `a/V_s`"),
+    (
+        "mu V_s/a",
+        "pressure and traction; `mu` is the viscosity of the fluid",
+    ),
     (
         "mu a^2 V_s",
         "stresslet, and work; `mu` is the viscosity of the fluid",

@@ -3,6 +3,7 @@
 pub mod cargo;
 mod comparison;
 pub mod encounters;
+pub mod flow;
 mod load_errors;
 mod loads;
 pub mod maps;

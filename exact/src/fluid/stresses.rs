@@ -9,8 +9,7 @@
 //! c^2 [2 n (n-1) - 4 n u + u^2],   c^2 n (n+1) [2 (n-1)/3 - u],   c^2 (2/3) (n-1) n (n+1) (n+2).
 //! ```
 //!
-//! Rigid motions do work against forces and torques, which the charges of the velocity give. Slip does work against the tangential traction
-//! `du/dn`, less `u/a` of the sphere's own spin and slip: `-∫ u_i.f dS` is a sum over degrees, as in [`crate::unlike`]'s reciprocal theorem.
+//! Rigid motions do work against forces and torques, which the charges of the velocity give; slip against tractions ([`super::tractions`]).
 //! That the matrix of the rates of work is symmetric is the reciprocal theorem between these two.
 
 use std::f64::consts::{PI, SQRT_2};
@@ -20,18 +19,12 @@ use scene::Gap;
 use scene::stress::{Block, BlockStresses, Cause, Stresses};
 
 use super::causes::rows;
-use super::harmonic::Factors;
 use super::solution::Solution;
 use crate::ExactError;
 use crate::axial;
 use crate::geometry::Geometry;
-use crate::stencil::times_denominator;
-use crate::surface::{Surface, apply, product};
 use crate::system::Field;
-use crate::transverse::{self, DIFFERENCE, SUM};
-use crate::unlike::{
-    NOMINAL, Pair, PairSeries, put_into_axial_equations, put_into_equations, row_slopes,
-};
+use crate::unlike::{NOMINAL, Pair, PairSeries};
 
 /// At the gap `eps` between spheres of radii 1 and `ratio`, with `factor` times the terms that reach rounding.
 pub fn stresses(
@@ -110,15 +103,20 @@ fn of_block(
 }
 
 /// A sphere in the solved flows of a block, as it sees itself above.
-struct On<'a> {
-    pair: &'a Pair,
-    sphere: usize,
-    radius: f64,
-    solution: &'a Solution,
+pub struct On<'a> {
+    /// Both spheres.
+    pub pair: &'a Pair,
+    /// 0 above, 1 below.
+    pub sphere: usize,
+    /// Its radius.
+    pub radius: f64,
+    /// The flows.
+    pub solution: &'a Solution,
 }
 
 impl On<'_> {
-    fn geometry(&self) -> Geometry {
+    /// The sphere as the upper one, in units of its own radius.
+    pub fn geometry(&self) -> Geometry {
         self.pair.spheres[self.sphere]
     }
 
@@ -203,178 +201,4 @@ impl On<'_> {
             _ => 0.0,
         }
     }
-
-    /// Tangential tractions of a case, with their signs turned, as the products with velocities have them: each with its azimuthal order.
-    fn tractions(&self, case: usize, own: Option<Cause>) -> Vec<(usize, Vec<f64>)> {
-        let geometry = self.geometry();
-        // Of `sinh U/S`, where `U = S^(1/2) u` is the sphere's own velocity.
-        let share = match own {
-            None => 0.0,
-            Some(Cause::Translation) => -0.5,
-            Some(_) => 0.5,
-        };
-        let components = match self.solution {
-            Solution::Twist(cases) => vec![self.twisting(&cases[case])],
-            Solution::Axial(series) => {
-                let fields = axial::Fields::new(NOMINAL);
-                let (values, slopes) = self.jets(series, &fields.all(), case);
-                self.axial_slopes(&values, &slopes)
-            }
-            Solution::Across(series, fields) => {
-                let (values, slopes) = self.jets(series, &fields.all(), case);
-                let [axial, lower, upper] =
-                    row_slopes((self.pair, self.sphere), &values, &slopes, fields);
-                let m = fields.order();
-                vec![(m, axial), (m - 1, lower), (m + 1, upper)]
-            }
-        };
-        let velocities = self.velocities(case);
-        components
-            .into_iter()
-            .zip(velocities)
-            .map(|((order, mut slope), velocity)| {
-                let surface = Surface::new(geometry, order);
-                if share != 0.0 {
-                    let own = surface.over_denominator(velocity);
-                    for (s, u) in slope.iter_mut().zip(own) {
-                        *s += share * geometry.sinh * u;
-                    }
-                }
-                (
-                    order,
-                    surface.over_denominator(surface.over_denominator(slope)),
-                )
-            })
-            .collect()
-    }
-
-    /// `S^(1/2)` times the velocity of this sphere in a case, component by component.
-    fn velocities(&self, case: usize) -> Vec<Vec<f64>> {
-        let geometry = self.geometry();
-        match self.solution {
-            Solution::Twist(cases) => {
-                let (values, _) = self.twist_jets(&cases[case]);
-                vec![apply(&values, 1, |n| {
-                    times_denominator(n, 1, geometry.cosh)
-                })]
-            }
-            Solution::Axial(series) => {
-                let (values, _) = self.jets(series, &axial::Fields::new(NOMINAL).all(), case);
-                let rows = put_into_axial_equations(self.pair, self.sphere, values);
-                [axial::AXIAL, axial::RADIAL]
-                    .map(|equation| negated(&rows, axial::FIELDS, equation))
-                    .into()
-            }
-            Solution::Across(series, fields) => {
-                let (values, _) = self.jets(series, &fields.all(), case);
-                let rows = put_into_equations(self.pair, self.sphere, values, fields);
-                [transverse::AXIAL, DIFFERENCE, SUM]
-                    .map(|equation| negated(&rows, transverse::FIELDS, equation))
-                    .into()
-            }
-        }
-    }
-
-    /// Values of the fields on the sphere and their derivatives by `xi`, by the fields' indices.
-    fn jets(
-        &self,
-        series: &PairSeries,
-        fields: &[Field],
-        case: usize,
-    ) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
-        let mut values = vec![Vec::new(); fields.len()];
-        let mut slopes = values.clone();
-        for field in fields {
-            let (value, slope) = series.jet(self.sphere, *field, case).unzip();
-            values[field.index] = value;
-            slopes[field.index] = slope;
-        }
-        (values, slopes)
-    }
-
-    /// Derivatives by `xi` of `s^(1/2)` times the axial and the radial velocity of order 0.
-    fn axial_slopes(&self, values: &[Vec<f64>], slopes: &[Vec<f64>]) -> Vec<(usize, Vec<f64>)> {
-        let fields = axial::Fields::new(NOMINAL);
-        let Geometry { sinh, cosh, .. } = self.geometry();
-        let rows = put_into_axial_equations(self.pair, self.sphere, slopes.to_vec());
-        let value = |of: Field, n: usize| values[of.index][n];
-        let along = negated(&rows, axial::FIELDS, axial::AXIAL)
-            .into_iter()
-            .enumerate();
-        let across = negated(&rows, axial::FIELDS, axial::RADIAL)
-            .into_iter()
-            .enumerate();
-        let along = along.map(|(n, slope)| {
-            slope + 0.5 * cosh * value(fields.pressure, n) + sinh * value(fields.axial, n)
-        });
-        let across = across.map(|(n, slope)| slope + sinh * value(fields.radial, n));
-        vec![(0, along.collect()), (1, across.collect())]
-    }
-
-    /// The derivative by `xi` of `s^(1/2)` times the velocity about the line.
-    fn twisting(&self, factors: &[Factors]) -> (usize, Vec<f64>) {
-        let Geometry { sinh, cosh, .. } = self.geometry();
-        let (values, slopes) = self.twist_jets(factors);
-        let rows = apply(&slopes, 1, |n| times_denominator(n, 1, cosh));
-        let slope = rows
-            .iter()
-            .zip(&values)
-            .map(|(row, value)| row + sinh * value);
-        (1, slope.collect())
-    }
-
-    fn twist_jets(&self, factors: &[Factors]) -> (Vec<f64>, Vec<f64>) {
-        let width = 2.0 * self.pair.half_width();
-        let jets = factors.iter().enumerate().map(|(n, factors)| {
-            let nu = n as f64 + 0.5;
-            let own = factors[self.sphere];
-            let other = factors[1 - self.sphere] * (-nu * width).exp();
-            (own + other, nu * (own - other))
-        });
-        jets.unzip()
-    }
-
-    /// Rate of work of a velocity, the rows of a cause, against tractions.
-    fn work(&self, velocity: &[f64], tractions: &[(usize, Vec<f64>)]) -> f64 {
-        let geometry = self.geometry();
-        let scale = PI * self.radius * geometry.sinh;
-        let (fields, equations, weights) = match self.solution {
-            Solution::Twist(_) => {
-                let velocity = apply(velocity, 1, |n| times_denominator(n, 1, geometry.cosh));
-                let traction = &tractions[0].1;
-                return 2.0 * scale * product(1, &velocity, traction);
-            }
-            Solution::Axial(_) => (
-                axial::FIELDS,
-                vec![axial::AXIAL, axial::RADIAL],
-                vec![2.0, 2.0],
-            ),
-            Solution::Across(..) => (
-                transverse::FIELDS,
-                vec![transverse::AXIAL, DIFFERENCE, SUM],
-                vec![1.0, 0.5, 0.5],
-            ),
-        };
-        let parts = equations.into_iter().zip(weights).zip(tractions);
-        parts
-            .map(|((equation, weight), (order, traction))| {
-                let of: Vec<f64> = velocity
-                    .iter()
-                    .skip(equation)
-                    .step_by(fields)
-                    .copied()
-                    .collect();
-                scale * weight * product(*order, &of, traction)
-            })
-            .sum()
-    }
-}
-
-/// One equation of all degrees, of rows that have the opposite sign.
-fn negated(rows: &[f64], fields: usize, equation: usize) -> Vec<f64> {
-    rows.iter()
-        .skip(equation)
-        .step_by(fields)
-        .map(|row| -row)
-        .collect()
 }

@@ -1,7 +1,8 @@
 //! Pairs in general position, that no symmetry simplifies.
 
+use exact::Exact;
 use scene::nalgebra::{Unit, Vector3};
-use scene::{Configuration, Gap, MovingPair, Squirmer};
+use scene::{Configuration, Gap, MovingPair, Plan, Pose, Scene, Squirmer};
 
 /// A pair with every kind of motion and slip, which is not free of forces.
 pub fn pair(gap: f64, ratio: f64) -> MovingPair {
@@ -29,4 +30,34 @@ pub fn pair(gap: f64, ratio: f64) -> MovingPair {
         forces: Default::default(),
         torques: Default::default(),
     }
+}
+
+/// Two squirmers that swim freely.
+pub fn free(gap: f64, ratio: f64) -> MovingPair {
+    let squirmers = [
+        Squirmer::with_beta(1.0, 3.0).unwrap(),
+        Squirmer::with_beta(0.7, -2.0)
+            .unwrap()
+            .with_radius(ratio)
+            .unwrap(),
+    ];
+    let start = [
+        Pose::planar(0.0, 0.0, 50.0),
+        Pose::planar(1.0 + ratio + gap, 0.0, 160.0),
+    ];
+    let plan = Plan::new(&Scene::new(squirmers, start, None, None).unwrap()).unwrap();
+    let model = Exact::of_ratio(ratio).unwrap();
+    MovingPair::free(&plan, &model, plan.start()).unwrap()
+}
+
+/// The flow of a squirmer of radius 1 as if it swam alone with `2 B_1/3`, without its modes from the third on (Blake 1971).
+pub fn lone_flow(pair: &MovingPair, k: usize, point: &Vector3<f64>) -> Vector3<f64> {
+    let [b1, b2] = [pair.squirmers[k].mode(0), pair.squirmers[k].mode(1)];
+    let p = pair.configuration.orientations[k];
+    let x = point - pair.configuration.positions()[k];
+    let r = x.norm();
+    let (n, c) = (x / r, x.dot(&p) / r);
+    let potential = (n * (3.0 * c) - p) * (b1 / 3.0 / r.powi(3));
+    let radial = n * (b2 * (1.5 * c * c - 0.5) * (r.powi(-4) - r.powi(-2)));
+    potential + radial + (n * c - p) * (b2 * c * r.powi(-4))
 }

@@ -3,6 +3,7 @@
 pub(crate) mod bottom_heavy;
 mod cost;
 pub(crate) mod encounters;
+mod flow;
 mod hard_cases;
 mod judge;
 mod loads;
@@ -25,6 +26,7 @@ use crate::error::CommandError;
 use crate::report;
 use crate::streams::print_line;
 use cost::CostArguments;
+use flow::FlowArguments;
 use hard_cases::HardCaseArguments;
 use judge::JudgeArguments;
 use maps::{MapArguments, TrustArguments};
@@ -121,6 +123,13 @@ pub(crate) enum Command {
         after_help = "Example:\n  squirmers run fixtures/scenes/fig6-head-on-dx1.toml --out out"
     )]
     Run(scene::RunArguments),
+    /// The flow about the pair of a scene file, at an instant or as a film: picture, rows, files for ParaView
+    #[command(
+        after_help = "Example:\n  squirmers flow fixtures/scenes/fig7-orthogonal-beta1-dx1.toml --method exact\n  \
+                            squirmers flow fixtures/scenes/fig6-head-on-dx1.toml --method exact --every 0.5 --frame 1"
+    )]
+    #[command(mut_arg("method", flow::methods))]
+    Flow(FlowArguments),
     /// Stresslets, power and efficiency: over the paper's encounters, along the run of a scene file, or by gap
     #[command(
         after_help = "Example:\n  squirmers stress                          the paper's encounters\n  \
@@ -201,6 +210,7 @@ pub(crate) fn run(
         Command::Ratios(given) => unlike::ratios(given, general),
         Command::Cargo(given) => unlike::cargo(given, general),
         Command::Run(run) => scene::run(run, general),
+        Command::Flow(given) => flow::run(given, general),
         Command::Stress(given) => stress::run(given, general),
         Command::Explain(explain) => scene::explain(explain, general),
         Command::Sweep(given) => sweep::run(given, general),

@@ -9,6 +9,9 @@ use super::style::Colour;
 /// Room for a colour bar with its labels, right of a map.
 pub(super) const BAR_ROOM: f64 = 76.0;
 
+/// Width of a colour bar.
+const BAR: f64 = 14.0;
+
 /// Colour of a point without a number.
 const NONE: Colour = Colour(150, 150, 150);
 
@@ -60,18 +63,34 @@ pub(super) fn bar(
     colour: impl Fn(f64) -> Colour,
     title: &str,
 ) {
-    const WIDTH: f64 = 14.0;
-    const STEPS: usize = 64;
     let value = |share: f64| range.start + share * (range.end - range.start);
+    let labels = [0.0, 0.5, 1.0].map(|share| (share, number(value(share))));
+    labelled_bar(
+        canvas,
+        (corner, height),
+        |share| colour(value(share)),
+        &labels,
+    );
+    // Between the middle and the upper end.
+    let middle = (corner.0 + BAR + 34.0, corner.1 + 0.25 * height);
+    canvas.text(title, middle, TEXT, Anchor::Upright);
+}
+
+/// Draws a colour bar on any scale: the function `colour` gives the colour at a share of the height, and the `labels` stand at shares of it.
+pub(super) fn labelled_bar(
+    canvas: &mut Canvas,
+    (corner, height): ((f64, f64), f64),
+    colour: impl Fn(f64) -> Colour,
+    labels: &[(f64, String)],
+) {
+    const STEPS: usize = 64;
     // Each rectangle reaches up to the top, so that no seams are visible between them.
     for i in 0..STEPS {
         let (low, middle) = (i as f64 / STEPS as f64, (i as f64 + 0.5) / STEPS as f64);
-        canvas.rectangle(corner, (WIDTH, height * (1.0 - low)), colour(value(middle)));
+        canvas.rectangle(corner, (BAR, height * (1.0 - low)), colour(middle));
     }
-    for share in [0.0, 0.5, 1.0] {
-        let at = (corner.0 + WIDTH + 4.0, corner.1 + height * (1.0 - share));
-        canvas.text(&number(value(share)), at, TEXT, Anchor::Start);
+    for (share, label) in labels {
+        let at = (corner.0 + BAR + 4.0, corner.1 + height * (1.0 - share));
+        canvas.text(label, at, TEXT, Anchor::Start);
     }
-    let middle = (corner.0 + WIDTH + 34.0, corner.1 + 0.25 * height);
-    canvas.text(title, middle, TEXT, Anchor::Upright);
 }

@@ -11,6 +11,7 @@ mod deflection;
 #[cfg(test)]
 mod empty_tests;
 mod fates;
+mod flow;
 mod heat;
 mod judge;
 mod load_errors;
@@ -21,6 +22,7 @@ mod panels;
 mod range;
 mod ratios;
 mod scene_run;
+mod streamlines;
 mod stress;
 mod style;
 #[cfg(test)]
@@ -40,6 +42,7 @@ use number::number;
 pub use cargo::cargo;
 pub use deflection::deflection;
 pub use fates::fates;
+pub use flow::flow;
 pub use judge::{judged_errors, score_against_time, trusted_gaps};
 pub use load_errors::load_errors;
 pub use map::scatter;

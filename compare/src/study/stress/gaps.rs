@@ -32,7 +32,8 @@ columns! {
         #[unit = "-"]
         pub value: f64,
         /// Estimate of its error, divided by the number or by 1, whichever is larger: the difference by exact hydrodynamics from series of 1.5 times the
-        /// terms, by boundary elements from the mesh one level coarser, and at least rounding.
+        /// terms, by boundary elements from the
+        /// mesh one level coarser (finer, where that does not resolve the gap), and at least rounding.
         #[unit = "-"]
         pub error_estimate: String,
     }
@@ -53,26 +54,32 @@ pub fn stress_rows(
     for &method in methods {
         for &ratio in &options.ratios {
             let model = fluid(method, options, ratio)?;
-            let other = for_comparison(method, options, ratio)?;
             let progress = Progress::begin("gaps", gaps.len(), Pieces::Alike);
             let at = |gap: &Gap| {
                 let (squirming, swirl) = modes;
                 let named = model.stresses(*gap, squirming, swirl)?.named(ratio);
-                let others = other.stresses(*gap, squirming, swirl)?.named(ratio);
+                let other = for_comparison(method, options, ratio, *gap)?;
+                let others = (other.as_ref())
+                    .map(|other| other.stresses(*gap, squirming, swirl))
+                    .transpose()?
+                    .map(|of| of.named(ratio));
                 progress.advance();
-                let pairs = named.into_iter().zip(others);
-                let row = |((name, value), (_, other)): ((String, f64), (String, f64))| {
-                    let error = (value - other).abs() / value.abs().max(1.0);
+                let row = |(place, (name, value)): (usize, (String, f64))| {
+                    let other = others.as_ref().and_then(|of| of.get(place));
+                    let error = other.map(|(_, other)| {
+                        let error = (value - other).abs() / value.abs().max(1.0);
+                        size(error.max(f64::EPSILON))
+                    });
                     StressRow {
                         method,
                         ratio,
                         gap: gap.eps(),
                         name,
                         value,
-                        error_estimate: size(error.max(f64::EPSILON)),
+                        error_estimate: error.unwrap_or("none".to_owned()),
                     }
                 };
-                Ok::<_, CompareError>(pairs.map(row).collect::<Vec<_>>())
+                Ok::<_, CompareError>(named.into_iter().enumerate().map(row).collect::<Vec<_>>())
             };
             let of_gaps = (gaps.par_iter().map(at)).collect::<Result<Vec<_>, _>>()?;
             rows.extend(of_gaps.into_iter().flatten());

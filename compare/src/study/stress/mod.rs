@@ -20,7 +20,7 @@ pub use run::{StressRun, StressRunRow, StressSummary, stress_run};
 use bem::Bem;
 use exact::Exact;
 use scene::stress::StressTable;
-use scene::{Fluid, GapRange, MovingPair, Plan, RunOptions, Sample, SceneError};
+use scene::{Fluid, Gap, GapRange, MovingPair, Plan, RunOptions, Sample, SceneError};
 
 use crate::{
     BEM_TABLE_TOLERANCE, CompareError, EXACT_TABLE_TOLERANCE, Method, Model, ModelOptions,
@@ -61,27 +61,29 @@ pub fn check_method(method: Method) -> Result<(), CompareError> {
     fluid(method, &ModelOptions::default(), 1.0).map(drop)
 }
 
-/// The same model with other numbers of terms or another mesh: their difference is an estimate of the error.
+/// The same model with more terms or another mesh, the next coarser one that resolves the gap or else a finer one: their difference is an
+/// estimate of the error. `None` for a mesh that is the finest and the only one.
 fn for_comparison(
     method: Method,
     options: &ModelOptions,
     ratio: f64,
-) -> Result<Box<dyn Fluid>, CompareError> {
+    gap: Gap,
+) -> Result<Option<Box<dyn Fluid>>, CompareError> {
     if method == Method::Exact {
         let more = Exact::of_ratio(ratio).and_then(|exact| exact.times_terms(MORE_TERMS));
-        return Ok(Box::new(more.map_err(SceneError::from)?));
+        return Ok(Some(Box::new(more.map_err(SceneError::from)?)));
     }
-    let (coarsest, _) = Bem::LEVELS;
-    let mesh = if options.mesh > coarsest {
-        options.mesh - 1
-    } else {
-        options.mesh + 1
-    };
-    let options = ModelOptions {
-        mesh,
-        ..options.clone()
-    };
-    fluid(method, &options, ratio)
+    let (coarsest, finest) = Bem::LEVELS;
+    for mesh in [options.mesh.wrapping_sub(1), options.mesh + 1] {
+        if (coarsest..=finest).contains(&mesh) && method.check_gap(mesh, ratio, gap).is_ok() {
+            let options = ModelOptions {
+                mesh,
+                ..options.clone()
+            };
+            return fluid(method, &options, ratio).map(Some);
+        }
+    }
+    Ok(None)
 }
 
 /// Factor on the terms of the series that are compared with.
@@ -120,7 +122,7 @@ impl Stressed {
             Method::Bem => BEM_TABLE_TOLERANCE,
             _ => EXACT_TABLE_TOLERANCE,
         };
-        let ends = [gaps.smallest, gaps.largest].map(scene::Gap::new);
+        let ends = [gaps.smallest, gaps.largest].map(Gap::new);
         let [smallest, largest] = ends;
         let table =
             StressTable::build(self.fluid.as_ref(), [smallest?, largest?], modes, tolerance)?;

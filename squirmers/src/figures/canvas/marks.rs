@@ -6,7 +6,7 @@ use super::{Canvas, px};
 use crate::figures::style::{Colour, Dash, INK, Shape, Stroke, WHITE};
 
 /// Points as the text of a polyline or polygon.
-fn listed(points: &[(f64, f64)]) -> String {
+pub(super) fn listed(points: &[(f64, f64)]) -> String {
     let places: Vec<_> = points
         .iter()
         .map(|(x, y)| format!("{},{}", px(*x), px(*y)))

@@ -3,6 +3,7 @@
 //! Lengths are in pixels, x to the right and y downward from the upper left corner.
 
 mod axes;
+mod bodies;
 mod fill;
 mod legend;
 mod marks;
@@ -40,6 +41,9 @@ const EDGE: f64 = 8.0;
 
 /// Height of the picture's title.
 pub(super) const TITLE: f64 = 36.0;
+
+/// Height of a line of a caption.
+pub(super) const CAPTION_LINE: f64 = 17.0;
 
 /// Estimated width of a character as a share of the text size, because no font is available to measure.
 const CHARACTER: f64 = 0.55;
@@ -162,6 +166,15 @@ impl Canvas {
         self.draw(html! {
             text x=(px(x)) y=(foot) font-size=(px(size)) text-anchor=[side] transform=[turn] fill=(INK) { (text) }
         });
+    }
+
+    /// Writes lines of text below `top`, each over the whole width of the sheet.
+    pub(super) fn caption(&mut self, lines: &[String], top: f64) {
+        let (middle, room) = (0.5 * self.width, self.width - 8.0);
+        for (index, line) in lines.iter().enumerate() {
+            let at = (middle, top + CAPTION_LINE * (index as f64 + 0.5));
+            self.fitted(line, at, TEXT, Anchor::Middle, room);
+        }
     }
 
     /// Writes a text at a point, in a smaller size if the text does not fit into the room.

@@ -15,7 +15,7 @@ pub(crate) struct Panel<'c> {
     pub(super) corner: (f64, f64),
     pub(super) size: (f64, f64),
     /// Whether any data have been drawn.
-    is_filled: bool,
+    pub(super) is_filled: bool,
 }
 
 impl Canvas {
@@ -56,7 +56,7 @@ impl Panel<'_> {
         self.canvas.text(NO_DATA, middle, TEXT, Anchor::Middle);
     }
 
-    fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
+    pub(super) fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
         (
             self.corner.0 + self.size.0 * self.x.share(x),
             self.corner.1 + self.size.1 * (1.0 - self.y.share(y)),
