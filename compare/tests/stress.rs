@@ -86,8 +86,9 @@ fn val_far_apart_squirmers_have_the_power_of_lone_ones() {
     let file = SceneFile::parse(text).unwrap();
     let run = stress_run(&file, Method::Exact, &options()).unwrap();
     for row in &run.rows {
-        assert!((row.efficiency1 - 1.0 / 27.0).abs() < 1e-6, "{row:?}");
-        assert!((row.efficiency2 - 1.0 / 3.0).abs() < 1e-6, "{row:?}");
+        // The other one's flow, which falls as r^-2, carries a squirmer along.
+        assert!((row.efficiency1 - 1.0 / 27.0).abs() < 3e-5, "{row:?}");
+        assert!((row.efficiency2 - 1.0 / 3.0).abs() < 3e-5, "{row:?}");
         assert!(row.excess_xx.abs() < 1e-5 && row.budget < 1e-8, "{row:?}");
     }
     assert!((run.summary.growth - 1.0).abs() < 1e-5, "{:?}", run.summary);

@@ -27,7 +27,7 @@ use crate::{
 };
 
 /// The methods that have stresslets, which a command computes by default.
-pub const METHODS: [Method; 1] = [Method::Exact];
+pub const METHODS: [Method; 2] = [Method::Exact, Method::Bem];
 
 /// The model of a method for stresslets and power.
 ///
