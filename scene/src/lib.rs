@@ -23,7 +23,6 @@ mod isolated;
 mod legendre;
 mod load_set;
 pub mod loads;
-mod lone_flows;
 pub mod mobility;
 pub mod motion;
 pub mod ode;
@@ -50,7 +49,6 @@ pub use isolated::Isolated;
 pub use legendre::{Legendre, legendre};
 pub use load_set::{LoadSet, Parities};
 pub use loads::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
-pub use lone_flows::LoneFlows;
 pub use motion::{
     BoundState, Counters, Outcome, Run, RunOptions, Sample, bound_states, far_drift, rates,
     rates_monomorphic, run, run_monomorphic, run_observed, run_plan,

@@ -1,5 +1,7 @@
 //! The flow, stresslets and power by boundary elements against the exact series, which share no code but the definitions.
 
+#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
+
 use bem::Bem;
 use exact::Exact;
 use scene::nalgebra::Vector3;

@@ -6,8 +6,6 @@ mod field;
 mod frames;
 mod instant;
 mod section;
-#[cfg(test)]
-mod stand_in;
 mod surface;
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,6 @@
-use scene::{Isolated, Plan};
+use exact::Exact;
+use scene::Plan;
 
-use super::stand_in::StandIn;
 use super::*;
 use crate::OutputFolder;
 
@@ -22,7 +22,7 @@ fn straight(offset: f64, z: f64) -> FlowStudy {
     let options = file.model_options(&plan, ModelOptions::default());
     FlowStudy {
         method: file.method,
-        fluid: Box::new(StandIn(Isolated::EQUAL)),
+        fluid: Box::new(Exact::new()),
         model: Model::set_up(file.method, &options).unwrap(),
         plan,
         run: file.run,
