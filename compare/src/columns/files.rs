@@ -131,18 +131,18 @@ pub const FILES: [CsvFile; 40] = [
     ),
     file::<StressRow>(
         "stress.csv",
-        &["stress --gap", "report"],
-        "Stresslets and rates of work at given gaps.",
+        &["stress", "report"],
+        "Stresslets and rates of work at given gaps (`--gap`).",
     ),
     file::<StressRunRow>(
         "stress-run.csv",
-        &["stress SCENE.toml"],
-        "Stresslets, power and efficiency along the run of a scene file.",
+        &["stress"],
+        "Stresslets, power and efficiency along the run of a scene file (`SCENE.toml`).",
     ),
     file::<StressEncounterRow>(
         "stress-encounters.csv",
         &["stress", "report"],
-        "Excess stress and power of the paper's encounters (Figs 6 and 7).",
+        "Excess stress and power of the paper's encounters (Figs 6 and 7; `--paper`, or nothing).",
     ),
     file::<SweepTail>(
         "sweep.csv",
