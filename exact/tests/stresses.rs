@@ -11,7 +11,7 @@ use exact::Exact;
 use gauss_quad::legendre::GaussLegendre;
 use pair::{free, lone_flow, pair};
 use scene::nalgebra::{Matrix3, Vector3};
-use scene::stress::{Block, Cause, StressTable, Stresses, lone_stresslet};
+use scene::stress::{Block, Cause, StressTable, Stresses, lone_power, lone_stresslet};
 use scene::{Flow, Fluid, Gap, LoadSet, MovingPair, SelfOther};
 
 fn model(ratio: f64) -> Exact {
@@ -256,18 +256,23 @@ fn val_rigid_motion_works_against_the_loads_of_the_model() {
 
 #[test]
 fn val_a_lone_squirmer_has_the_power_and_the_stresslet_of_blake() {
-    // P = (8/3) pi mu a (2 B_1^2 + B_2^2), S = 4 pi mu a^2 B_2 (p p - I/3).
+    // Two modes: P = (8/3) pi mu a (2 B_1^2 + B_2^2), S = 4 pi mu a^2 B_2 (p p - I/3).
+    let modes = [1.5, -2.0, 0.7, 0.4];
+    let two = scene::Squirmer::new(&modes[..2]).unwrap();
+    let power = 8.0 / 3.0 * PI * (2.0 * modes[0] * modes[0] + modes[1] * modes[1]);
+    assert!((lone_power(&two) / power - 1.0).abs() < 1e-14);
     let mut pair = pair(3000.0, 1.0);
-    let modes = [1.5, -2.0];
+    let swirl = [0.5, -0.8, 0.3];
     let squirmer = scene::Squirmer::new(&modes).unwrap();
+    let squirmer = squirmer.with_swirl(&swirl).unwrap();
     pair.squirmers = [squirmer; 2];
     pair.velocities = pair
         .configuration
         .orientations
         .map(|p| p * (2.0 / 3.0 * modes[0]));
-    pair.angular_velocities = [Vector3::zeros(); 2];
-    let found = stresses(3000.0, 1.0, 2, 0).of(&pair);
-    let power = 8.0 / 3.0 * PI * (2.0 * modes[0] * modes[0] + modes[1] * modes[1]);
+    pair.angular_velocities = pair.configuration.orientations.map(|p| p * -swirl[0]);
+    let found = stresses(3000.0, 1.0, 4, 3).of(&pair);
+    let power = lone_power(&squirmer);
     for k in [0, 1] {
         assert!(
             (found.slip_power[k] / power - 1.0).abs() < 1e-5,
@@ -304,6 +309,26 @@ fn val_a_table_of_stresses_is_the_direct_solve_at_any_gap() {
         );
         assert!(table.at(Gap::new(0.003).unwrap()).is_err());
         assert!(table.at(Gap::new(12.1).unwrap()).is_err());
+    }
+}
+
+#[test]
+fn val_named_numbers_of_lone_squirmers_are_those_of_the_documentation() {
+    for (ratio, own, [same, across]) in [(1.0, "1", ["1", "2"]), (0.5, "22", ["22", "12"])] {
+        let named = stresses(2000.0, ratio, 3, 2).named(ratio);
+        let of = |name: &str| named.iter().find(|(n, _)| n == name).unwrap().1;
+        for (kind, lone) in [("XS", 4.0), ("YS", 4.0), ("ZS", 4.0)] {
+            let found = of(&format!("{kind}{own}_2"));
+            assert!((found - lone).abs() < 1e-5, "{kind} {ratio}: {found}");
+        }
+        // Alone, modes of different number and swirl do no work on one another, and n = 1 moves the fluid as Blake has it.
+        for (kind, lone) in [("XP", 8.0 / 3.0), ("YP", 8.0), ("ZP", 2.0)] {
+            let found = of(&format!("{kind}{same}_2_2"));
+            assert!((found - lone).abs() < 1e-4, "{kind} {ratio}: {found}");
+            let found = of(&format!("{kind}{across}_2_2"));
+            assert!(found.abs() < 1e-4, "{kind} {ratio}: {found}");
+        }
+        assert!(of(&format!("XP{same}_2_3")).abs() < 1e-4);
     }
 }
 

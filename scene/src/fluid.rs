@@ -30,6 +30,19 @@ pub struct MovingPair {
 }
 
 impl MovingPair {
+    /// The loads that [`Self::free`] asks of a model for a plan. They may be more than those of the motion, because spins about the squirmers' own
+    /// axes and about the line of centres drive flow too.
+    #[must_use]
+    pub fn load_set(plan: &Plan) -> LoadSet {
+        let scene = plan.scene();
+        let swirl = (scene.squirmers.iter().map(|s| s.swirl().len())).fold(0, usize::max);
+        LoadSet {
+            twist: swirl > 0 || plan.gravity().is_some(),
+            ..LoadSet::planar(scene.modes())
+        }
+        .with_swirl(swirl)
+    }
+
     /// The pair as it moves in a configuration of a scene: free of force and torque but for the effects of the `plan`, by the mobilities
     /// of a model.
     ///
@@ -54,15 +67,11 @@ impl MovingPair {
         let scene = plan.scene();
         let squirmers = scene.squirmers;
         let line = configuration.line;
-        let swirl = (squirmers.iter().map(|s| s.swirl().len())).fold(0, usize::max);
         let torques = gravity_torques(plan, configuration);
-        let twist = swirl > 0 || torques.is_some();
+        let loads = Self::load_set(plan);
+        let swirl = loads.swirl;
         let set = MobilitySet {
-            loads: LoadSet {
-                twist,
-                ..LoadSet::planar(scene.modes())
-            }
-            .with_swirl(swirl),
+            loads,
             torque: torques.is_some(),
         };
         let headings = headings(configuration);

@@ -9,6 +9,7 @@ use compare::study::encounters::Drawn;
 use compare::study::maps::{FateRow, Pair, ScatterRow, TrustRow, TrustShares};
 use compare::study::panels::PanelRun;
 use compare::study::ratios::RatioRow;
+use compare::study::stress::StressRow;
 use compare::{Approach, Encounter, Method, OffsetRow};
 
 /// A picture and the name of its file.
@@ -147,6 +148,22 @@ pub(crate) fn of_cargo(rows: &[CargoRow]) -> Result<Vec<Picture>, CommandError> 
     let drawn = rows.chunk_by(same).map(|alike| {
         let name = format!("cargo-beta{}.svg", written(alike[0].beta));
         picture(name, figures::cargo(alike))
+    });
+    drawn.filter_map(Result::transpose).collect()
+}
+
+/// Stresslets and rates of work against the gap, one picture for each ratio of the radii with several gaps.
+pub(crate) fn of_stress(rows: &[StressRow]) -> Result<Vec<Picture>, CommandError> {
+    let mut rows = rows.to_vec();
+    rows.sort_by(|a, b| a.ratio.total_cmp(&b.ratio));
+    let drawn = (rows.chunk_by(|a, b| a.ratio.total_cmp(&b.ratio).is_eq())).map(|alike| {
+        let ratio = alike[0].ratio;
+        let name = if ratio.total_cmp(&1.0).is_eq() {
+            "stress.svg".to_owned()
+        } else {
+            format!("stress-ratio{}.svg", written(ratio))
+        };
+        picture(name, figures::stress_by_gap(alike))
     });
     drawn.filter_map(Result::transpose).collect()
 }

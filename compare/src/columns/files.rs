@@ -15,6 +15,7 @@ use crate::study::flow::FlowRow;
 use crate::study::maps::{BoundExample, BoundRow, FateRow, ScatterRow, TrustRow, TrustShares};
 use crate::study::panels::TrajectoryRow;
 use crate::study::ratios::RatioRow;
+use crate::study::stress::{StressEncounterRow, StressRow, StressRunRow};
 use crate::study::{ComparisonRow, LoadErrorRow, LoadRow, MeshErrorRow, SlopeRow};
 use crate::sweep::SweepTail;
 use crate::{EncounterRow, Method, OffsetRow};
@@ -49,7 +50,7 @@ const fn file<R: Columns>(
 }
 
 /// Every CSV file. Files with the same kind of row stand together.
-pub const FILES: [CsvFile; 37] = [
+pub const FILES: [CsvFile; 40] = [
     file::<LoadRow>("loads.csv", &["loads"], "Loads at given gaps."),
     file::<EncounterRow>(
         "head-on.csv",
@@ -127,6 +128,21 @@ pub const FILES: [CsvFile; 37] = [
         "flow.csv",
         &["flow"],
         "The flow about a pair on a grid in the plane of motion; with `--every` a file for each frame, `flow-0001.csv` and so on.",
+    ),
+    file::<StressRow>(
+        "stress.csv",
+        &["stress", "report"],
+        "Stresslets and rates of work at given gaps (`--gap`).",
+    ),
+    file::<StressRunRow>(
+        "stress-run.csv",
+        &["stress"],
+        "Stresslets, power and efficiency along the run of a scene file (`SCENE.toml`).",
+    ),
+    file::<StressEncounterRow>(
+        "stress-encounters.csv",
+        &["stress", "report"],
+        "Excess stress and power of the paper's encounters (Figs 6 and 7; `--paper`, or nothing).",
     ),
     file::<SweepTail>(
         "sweep.csv",

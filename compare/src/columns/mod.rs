@@ -27,7 +27,7 @@ pub trait Columns {
 }
 
 /// Every unit with its meaning.
-pub const UNITS: [(&str, &str); 10] = [
+pub const UNITS: [(&str, &str); 13] = [
     ("a", "radius of a squirmer"),
     (
         "V_s",
@@ -39,6 +39,12 @@ pub const UNITS: [(&str, &str); 10] = [
         "mu V_s/a",
         "pressure and traction; `mu` is the viscosity of the fluid",
     ),
+    (
+        "mu a^2 V_s",
+        "stresslet, and work; `mu` is the viscosity of the fluid",
+    ),
+    ("mu a V_s^2", "power"),
+    ("mu a^3", "integral of a stresslet over time"),
     ("deg", "degrees, anticlockwise positive"),
     ("s", "seconds of wall-clock time"),
     ("MiB", "2^20 bytes of memory"),

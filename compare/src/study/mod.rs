@@ -12,6 +12,7 @@ pub mod offset;
 pub mod panels;
 pub mod ratios;
 mod slopes;
+pub mod stress;
 
 pub use comparison::{ComparisonRow, comparison};
 pub use load_errors::{LoadErrorRow, load_errors};

@@ -30,8 +30,11 @@
 //! The rate of work of both surfaces on the fluid, which is what the fluid dissipates, is
 //! `P = -Σ_spheres ∫ u.f dS = Σ_blocks Re Σ_ij conj(A_i) W_ij A_j`, and `W` is symmetric by the reciprocal theorem.
 
+mod lone;
+pub mod named;
 mod table;
 
+pub use lone::{drag_power, lone_power, lone_stresslet};
 pub use table::StressTable;
 
 use nalgebra::{Complex, DMatrix, DVector, Matrix3, Vector3};
@@ -313,21 +316,12 @@ pub fn legendre_derivative(n: usize, order: usize, c: f64) -> f64 {
     value
 }
 
-/// The stresslet of a lone squirmer, `4 pi mu a^2 B_2 (p p - I/3)`.
-#[must_use]
-pub fn lone_stresslet(pair: &MovingPair, squirmer: usize) -> Matrix3<f64> {
-    let p = pair.configuration.orientations[squirmer];
-    let of = &pair.squirmers[squirmer];
-    let strength = 4.0 * std::f64::consts::PI * of.radius().powi(2) * of.mode(1);
-    (p * p.transpose() - Matrix3::identity() / 3.0) * strength
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::{Configuration, Squirmer};
 
-    fn pair() -> MovingPair {
+    pub(super) fn pair() -> MovingPair {
         let line = Vector3::new(0.36, 0.48, -0.8);
         let squirmer =
             |modes: &[f64], swirl: &[f64]| Squirmer::new(modes).unwrap().with_swirl(swirl).unwrap();

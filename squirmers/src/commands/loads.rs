@@ -23,9 +23,7 @@ pub(super) fn run(
         ratios: checked_ratios(ratios.0.clone())?,
         ..options
     };
-    let gaps: Vec<_> = (gaps.0.iter())
-        .map(|&eps| gap(eps, &methods, &options))
-        .collect::<Result<_, _>>()?;
+    let gaps = checked_gaps(&gaps.0, &methods, &options)?;
     // Several of these commands may write at once, because each writes a whole file.
     let out = OutputFolder::open_beside_others(&general.out)?;
     let rows = load_rows(&methods, &gaps, set, &options)?;
@@ -45,6 +43,15 @@ pub(super) fn run(
     );
     print_rest(rows.len(), "loads");
     Ok(())
+}
+
+/// The gaps, if every method resolves them.
+pub(super) fn checked_gaps(
+    gaps: &[f64],
+    methods: &[Method],
+    options: &ModelOptions,
+) -> Result<Vec<Gap>, CommandError> {
+    gaps.iter().map(|&eps| gap(eps, methods, options)).collect()
 }
 
 /// A gap that every method resolves.

@@ -12,6 +12,7 @@ pub(crate) mod maps;
 mod reference;
 mod scene;
 mod shared;
+mod stress;
 mod sweep;
 pub(crate) mod unlike;
 
@@ -30,6 +31,7 @@ use hard_cases::HardCaseArguments;
 use judge::JudgeArguments;
 use maps::{MapArguments, TrustArguments};
 use shared::{highest, model_options, sweep_options};
+use stress::StressArguments;
 use sweep::{MergeArguments, SweepArguments};
 use unlike::{CargoArguments, RatioArguments};
 
@@ -128,6 +130,14 @@ pub(crate) enum Command {
     )]
     #[command(mut_arg("method", flow::methods))]
     Flow(FlowArguments),
+    /// Stresslets, power and efficiency: over the paper's encounters, along the run of a scene file, or by gap
+    #[command(
+        after_help = "Example:\n  squirmers stress                          the paper's encounters\n  \
+                            squirmers stress fixtures/scenes/fig6-head-on-dx1.toml\n  \
+                            squirmers stress --gap 1,0.1,0.01 --modes 3 --ratio 0.5,1"
+    )]
+    #[command(mut_arg("method", stress::methods))]
+    Stress(StressArguments),
     /// What is computed for a scene and what is not, the reasons, and the cost
     #[command(after_help = "Example:\n  squirmers explain fixtures/scenes/fig8e-downward.toml")]
     Explain(scene::ExplainArguments),
@@ -201,6 +211,7 @@ pub(crate) fn run(
         Command::Cargo(given) => unlike::cargo(given, general),
         Command::Run(run) => scene::run(run, general),
         Command::Flow(given) => flow::run(given, general),
+        Command::Stress(given) => stress::run(given, general),
         Command::Explain(explain) => scene::explain(explain, general),
         Command::Sweep(given) => sweep::run(given, general),
         Command::Merge(given) => sweep::merge(given, general),

@@ -23,6 +23,7 @@ mod range;
 mod ratios;
 mod scene_run;
 mod streamlines;
+mod stress;
 mod style;
 #[cfg(test)]
 mod tests;
@@ -49,6 +50,7 @@ pub use offset::offset;
 pub use panels::panels;
 pub use ratios::ratios;
 pub use scene_run::scene_run;
+pub use stress::{stress_by_gap, stress_run};
 pub use trajectories::trajectories;
 pub use trust::{trust, trust_against_offset};
 pub use work_precision::{deflections_work_precision, loads_work_precision};

@@ -6,6 +6,7 @@ mod cost;
 mod effects;
 mod errors;
 mod findings;
+mod fluid;
 mod hard_cases;
 mod maps;
 mod outcomes;
@@ -85,6 +86,10 @@ pub(crate) fn write(
     }
     if let Some(unlike) = unlike {
         content.sections.extend(unlike.sections()?);
+    }
+    if let Some((section, failures)) = fluid::section(methods, options, out)? {
+        content.sections.push(section);
+        content.notes.extend(failures);
     }
     content.sections.push(effects::section(&models)?);
     content

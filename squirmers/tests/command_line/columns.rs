@@ -66,6 +66,27 @@ fn every_csv_file_of_a_command_is_listed_with_its_columns() {
 }
 
 #[test]
+fn each_form_of_stress_writes_a_listed_file() {
+    let scene = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../fixtures/scenes/fig6-head-on-dx1.toml"
+    );
+    let forms: [(&[&str], &str); 3] = [
+        (&["--gap", "1"], "stress.csv"),
+        (&[scene], "stress-run.csv"),
+        (&["--paper"], "stress-encounters.csv"),
+    ];
+    for (form, file) in forms {
+        let folder = tempfile::tempdir().unwrap();
+        let arguments = [&["stress", "--method", "exact"], form].concat();
+        let output = squirmers(folder.path(), &arguments);
+        assert!(output.status.success(), "{output:?}");
+        assert_eq!(described(folder.path()), [file]);
+        assert!(listed("stress").contains(&file));
+    }
+}
+
+#[test]
 fn the_list_of_columns_names_commands_that_exist() {
     for command in FILES.iter().flat_map(|file| file.commands) {
         let output = Command::new(env!("CARGO_BIN_EXE_squirmers"))
