@@ -3,7 +3,7 @@
 use scene::{Gap, RunOptions};
 
 use super::findings::{listed, number};
-use super::written;
+use super::{flows, written};
 use crate::error::CommandError;
 use crate::page::{Section, Table};
 use crate::pictures;
@@ -52,9 +52,11 @@ pub(super) fn section(
     let by_gap = stress_rows(&resolving, &gaps, MODES, options)?;
     let by_gap_csv = csv_text(&by_gap)?;
     out.write("stress.csv", &by_gap_csv)?;
+    let mut figures = flows::figures(methods[0], options, out)?;
+    figures.extend(written(pictures::of_stress(&by_gap)?, out)?);
     let section = Section {
         id: "fluid".to_owned(),
-        title: "The fluid: stress and power".to_owned(),
+        title: "The fluid: flow, stress and power".to_owned(),
         finding: finding(&of(&rows, methods[0])),
         prose: vec![
             "A squirmer adds its stresslet to the stress of a suspension. The excess is the stresslet of the pair less that of two lone \
@@ -63,7 +65,7 @@ pub(super) fn section(
             laws(&by_gap, methods[0]),
             budget(&rows, &methods),
         ],
-        figures: written(pictures::of_stress(&by_gap)?, out)?,
+        figures,
         tables: vec![Table::from_csv(
             "Integral of the excess stresslet over each collision, its average over the interaction time, growth of a squirmer's stresslet, work \
              of slip beyond that of two lone squirmers, Lighthill's efficiency of the pair during the interaction time, and how well \

@@ -6,6 +6,7 @@ mod cost;
 mod effects;
 mod errors;
 mod findings;
+mod flows;
 mod fluid;
 mod hard_cases;
 mod maps;

@@ -110,6 +110,9 @@ pub(super) fn caption(file_name: &str) -> &'static str {
         "Share of the incoming angles in each class of difference between lubrication theory and exact hydrodynamics."
     } else if file_name.contains("trust") {
         "Difference between lubrication theory and exact hydrodynamics."
+    } else if file_name.contains("flow") {
+        "Flow in the plane of motion at the closest approach. Lubrication theory has no such picture: it knows forces and torques, and no \
+         flow."
     } else if file_name.contains("stress") {
         "Stresslets of a sphere by its own motion or slip and by that of the other one, and rates of work of slip. Lubrication theory \
          has no stresslet of its own: it is that of lone squirmers and what diverges here."
