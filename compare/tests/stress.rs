@@ -122,6 +122,27 @@ fn val_stresslets_grow_near_contact_as_published() {
 }
 
 #[test]
+fn val_work_between_two_modes_is_bounded_where_that_of_each_is() {
+    // The rates of work are positive: W_12^2 <= W_11 W_22.
+    let gaps = [1e-2, 1e-3, 1e-4].map(|eps| Gap::new(eps).unwrap());
+    let rows = stress_rows(&[Method::Exact], &gaps, (2, 0), &options()).unwrap();
+    let laws = contact_laws(&rows, Method::Exact, 1.0);
+    let of = |name: &str| laws.iter().find(|law| law.name == name).unwrap().growth;
+    for order in ["X", "Z"] {
+        for name in ["P1_1_1", "P1_1_2", "P1_2_2", "P2_1_1", "P2_1_2", "P2_2_2"] {
+            // Order 2 has no slip of the first mode.
+            if order == "X" || name.ends_with("2_2") {
+                let name = format!("{order}{name}");
+                assert_eq!(of(&name), Growth::Bounded, "{name}");
+            }
+        }
+    }
+    for name in ["YP1_1_1", "YP1_1_2", "YP1_2_2"] {
+        assert_eq!(of(name), Growth::Logarithm, "{name}");
+    }
+}
+
+#[test]
 fn methods_without_stresslets_are_refused_in_one_line() {
     for (method, told) in [
         (Method::Lt, "no stresslet beyond its singular parts"),

@@ -28,6 +28,9 @@ pub struct ContactLaw {
 /// Changes between gaps, as a share of the larger of the number and 1, that are taken for none.
 const NONE: f64 = 1e-2;
 
+/// Share of the change of one decade that a bounded number may have left in the next: its corrections are of the order of `eps ln eps`.
+const LEVELLING: f64 = 0.5;
+
 /// The laws of the numbers of a method and a ratio of radii, from the three smallest gaps, each of which must be about a tenth of the next or less; none of
 /// fewer gaps.
 ///
@@ -60,7 +63,8 @@ pub fn contact_laws(rows: &[StressRow], method: Method, ratio: f64) -> Vec<Conta
         // Per unit of ln(1/eps).
         let slope = near / (middle / smallest).ln();
         let before = far / (largest / middle).ln();
-        let (growth, factor) = if near.abs() <= NONE * a.abs().max(1.0) {
+        let levels_off = slope.abs() < LEVELLING * before.abs();
+        let (growth, factor) = if levels_off || near.abs() <= NONE * a.abs().max(1.0) {
             (Growth::Bounded, a)
         } else if slope.abs() > 4.0 * before.abs() {
             (Growth::Inverse, near / (smallest.recip() - middle.recip()))
