@@ -21,7 +21,7 @@ fn text(out: &Path, file: &str) -> String {
 fn same_by_threads(arguments: &[&str], files: &[&str]) -> Vec<String> {
     let [one, two] = ["1", "2"].map(|threads| {
         let folder = tempfile::tempdir().unwrap();
-        let arguments = [arguments, &["--threads", threads]].concat();
+        let arguments = [arguments, &["--method", "exact", "--threads", threads]].concat();
         let output = squirmers(folder.path(), &arguments);
         assert_eq!(output.status.code(), Some(0), "{output:?}");
         let printed = String::from_utf8(output.stdout).unwrap();
@@ -61,6 +61,27 @@ fn stresslets_along_a_run_have_a_row_for_each_sample_and_a_picture() {
     assert!(files[0].starts_with("method,t,gap,s1_xx,"), "{}", files[0]);
     assert!(files[0].lines().count() > 100);
     assert!(files[1].contains("Pair less two lone squirmers"));
+}
+
+#[test]
+fn val_boundary_elements_have_the_stresslets_of_the_series_within_their_estimate() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = squirmers(folder.path(), &["stress", "--gap", "0.1"]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let csv = text(folder.path(), "stress.csv");
+    let rows: Vec<Vec<&str>> = csv
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').collect())
+        .collect();
+    let (exact, bem) = rows.split_at(rows.len() / 2);
+    for (truth, row) in exact.iter().zip(bem) {
+        assert_eq!((truth[0], row[0], truth[3]), ("exact", "bem", row[3]));
+        let number = |text: &str| text.parse::<f64>().unwrap();
+        let (truth, value) = (number(truth[4]), number(row[4]));
+        let error = (value - truth).abs() / truth.abs().max(1.0);
+        assert!(error < number(row[5]).max(1e-5), "{row:?}: {truth}");
+    }
 }
 
 #[test]
