@@ -26,6 +26,13 @@ const WIDTH: f64 = 1e-9;
 /// Runs that a search may take: it needs about ten.
 const MOST_RUNS: usize = 60;
 
+/// Time between samples at first, in `a/V_s`, and most samples of a run.
+const SEARCHED: f64 = 0.25;
+const MOST_SAMPLES: f64 = 1e6;
+
+/// Relative difference of gaps that are taken for the same.
+const SAME_GAP: f64 = 1e-6;
+
 /// Most frames of a film: their numbers have four digits.
 const MOST_FRAMES: usize = 9999;
 
@@ -38,10 +45,7 @@ impl FlowStudy {
         match instant {
             Instant::Time(t) => self.at_given_time(t),
             Instant::Gap(gap) => self.first_at_gap(gap),
-            Instant::ClosestApproach => {
-                let (_, samples) = self.samples(&self.run)?;
-                Ok(self.closest(&samples)?.1)
-            }
+            Instant::ClosestApproach => Ok(self.approach()?.2),
         }
     }
 
@@ -123,7 +127,26 @@ impl FlowStudy {
         }
     }
 
-    /// The closest approach, and the index of the sample that it comes before or is.
+    /// Samples that are close enough to tell where the run has its smallest gap, and the closest approach with the index of the sample that
+    /// it comes before or is. However seldom the scene has its samples, the gap is the smallest that the run itself located.
+    fn approach(&self) -> Result<(Vec<Sample>, usize, Sample), CompareError> {
+        let mut interval = self.run.sample_interval.unwrap_or(SEARCHED).min(SEARCHED);
+        interval = interval.max(self.run.end_time / MOST_SAMPLES);
+        loop {
+            let (run, samples) = self.samples(&RunOptions {
+                sample_interval: Some(interval),
+                ..self.run
+            })?;
+            let (index, closest) = self.closest(&samples)?;
+            let reached = closest.configuration.gap.eps() <= run.min_gap * (1.0 + SAME_GAP);
+            if reached || self.run.end_time / interval > MOST_SAMPLES {
+                return Ok((samples, index, closest));
+            }
+            interval *= 0.25;
+        }
+    }
+
+    /// The closest approach among samples, and the index of the sample that it comes before or is.
     fn closest(&self, samples: &[Sample]) -> Result<(usize, Sample), CompareError> {
         let by_gap = |a: &(usize, &Sample), b: &(usize, &Sample)| {
             let gap = |sample: &Sample| sample.configuration.gap.eps();
@@ -154,8 +177,7 @@ impl FlowStudy {
         if !(gap > 0.0 && gap.is_finite()) {
             return Err(refused("give a gap greater than 0, in radii".to_owned()));
         }
-        let (_, mut samples) = self.samples(&self.run)?;
-        let (before, closest) = self.closest(&samples)?;
+        let (mut samples, before, closest) = self.approach()?;
         samples.insert(before, closest);
         let beyond = |sample: &Sample| sample.configuration.gap.ln() - gap.ln();
         let crosses = |ends: &&[Sample]| beyond(&ends[0]) * beyond(&ends[1]) <= 0.0;

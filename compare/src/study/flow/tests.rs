@@ -57,6 +57,18 @@ fn straight_paths_are_closest_where_they_pass() {
 }
 
 #[test]
+fn the_closest_approach_is_found_however_seldom_a_scene_has_samples() {
+    for interval in [None, Some(11.0), Some(3.3)] {
+        let mut study = straight(3.0, 0.0);
+        study.run.sample_interval = interval;
+        let at = study.sample(Instant::ClosestApproach).unwrap();
+        assert!((at.t - 5.0).abs() < 1e-6, "{interval:?}: {}", at.t);
+        let at = study.sample(Instant::Gap(1.5)).unwrap();
+        assert!((at.configuration.gap.eps() - 1.5).abs() < 1e-9);
+    }
+}
+
+#[test]
 fn a_gap_is_found_where_it_is_first_reached() {
     let study = straight(3.0, 0.0);
     for gap in [7.0, 2.0, 1.0 + 1e-7, 1.000_1] {
