@@ -2,10 +2,16 @@
 
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use bem::Bem;
 use exact::Exact;
 use scene::nalgebra::Vector3;
-use scene::{Flow, Fluid, Gap, MovingPair, Orientation, Plan, Pose, Scene, Squirmer};
+use scene::stress::{StressTable, Stresses};
+use scene::{
+    Flow, Fluid, Gap, Hydrodynamics, LoadSet, ModelDescription, MovingPair, Orientation, PairLoads,
+    Plan, Pose, Scene, SceneError, Squirmer, SwirlLoads,
+};
 
 /// Two squirmers that swim freely out of any plane.
 fn free(gap: f64, ratio: f64) -> MovingPair {
@@ -63,10 +69,15 @@ fn difference(exact: &dyn Flow, bem: &dyn Flow, points: &[Vector3<f64>]) -> f64 
 
 #[test]
 fn val_the_flow_by_boundary_elements_is_that_by_series_and_within_its_own_estimate() {
-    for (gap, ratio, tolerance) in [(1.0, 1.0, 1e-5), (0.1, 1.0, 1e-4), (0.1, 2.0, 1e-4)] {
+    for (level, gap, ratio, tolerance) in [
+        (3, 1.0, 1.0, 1e-5),
+        (3, 0.1, 1.0, 2e-4),
+        (4, 0.1, 1.0, 1e-4),
+        (4, 0.1, 2.0, 1e-4),
+    ] {
         let pair = free(gap, ratio);
         let exact = Exact::of_ratio(ratio).unwrap().flow(&pair).unwrap();
-        let bem = Bem::of_ratio(3, ratio).unwrap().flow(&pair).unwrap();
+        let bem = Bem::of_ratio(level, ratio).unwrap().flow(&pair).unwrap();
         let worst = difference(exact.as_ref(), bem.as_ref(), &points(&pair, 0.02));
         println!(
             "gap {gap}, ratio {ratio}: {worst:.1e}, estimate {:.1e}",
@@ -138,4 +149,83 @@ fn val_stresslets_and_power_by_boundary_elements_are_those_by_series() {
         let error = (found.dissipation / truth.dissipation - 1.0).abs();
         assert!(error < 1e-3, "gap {gap}, ratio {ratio}: {error:e}");
     }
+}
+
+/// Exact hydrodynamics that counts how often it is asked for the fluid.
+#[derive(Default)]
+struct Counting {
+    model: Exact,
+    flows: AtomicUsize,
+    stresses: AtomicUsize,
+}
+
+impl Hydrodynamics for Counting {
+    fn description(&self) -> ModelDescription<'_> {
+        self.model.description()
+    }
+
+    fn fingerprint(&self) -> String {
+        self.model.fingerprint()
+    }
+
+    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+        self.model.interacting_loads(gap, set)
+    }
+
+    fn interacting_loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        self.model.interacting_loads_with_swirl(gap, set)
+    }
+
+    fn error_estimate(&self, gap: Gap, set: LoadSet) -> Result<Option<f64>, SceneError> {
+        self.model.error_estimate(gap, set)
+    }
+}
+
+impl Fluid for Counting {
+    fn flow(&self, pair: &MovingPair) -> Result<Box<dyn Flow>, SceneError> {
+        self.flows.fetch_add(1, Ordering::Relaxed);
+        self.model.flow(pair)
+    }
+
+    fn stresses(&self, gap: Gap, modes: usize, swirl: usize) -> Result<Stresses, SceneError> {
+        self.stresses.fetch_add(1, Ordering::Relaxed);
+        self.model.stresses(gap, modes, swirl)
+    }
+}
+
+impl Counting {
+    fn asked(&self) -> [usize; 2] {
+        [&self.flows, &self.stresses].map(|count| count.load(Ordering::Relaxed))
+    }
+}
+
+#[test]
+fn a_run_asks_for_no_flow_and_no_stresses_and_a_table_of_stresses_for_these_alone() {
+    let model = Counting::default();
+    let start = [
+        Pose::planar(-0.5, 5.0, -90.0),
+        Pose::planar(0.5, -5.0, 90.0),
+    ];
+    let pullers = [Squirmer::with_beta(1.0, 5.0).unwrap(); 2];
+    let scene = Scene::new(pullers, start, Some(scene::Repulsion::PAPER), None).unwrap();
+    let options = scene::RunOptions {
+        tolerance: 1e-5,
+        ..scene::RunOptions::default()
+    };
+    let run = scene::run(&scene, &model, &options).unwrap();
+    assert!(run.counters.loads > 100);
+    assert_eq!(model.asked(), [0, 0]);
+    let plan = Plan::new(&scene).unwrap();
+    let pair = MovingPair::free(&plan, &model, &run.end).unwrap();
+    assert_eq!(model.asked(), [0, 0]);
+    let gaps = [run.min_gap, 10.0].map(|gap| Gap::new(gap).unwrap());
+    let table = StressTable::build(&model, gaps, (2, 0), 1e-6).unwrap();
+    let [flows, stresses] = model.asked();
+    assert!(flows == 0 && stresses >= table.evaluations());
+    model.flow(&pair).unwrap();
+    assert_eq!(model.asked(), [1, stresses]);
 }

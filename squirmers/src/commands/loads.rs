@@ -2,12 +2,10 @@
 
 use scene::{Gap, LoadSet};
 
-use super::many::{PRINTED, print_rest};
+use super::many::print_numbers;
 use super::shared::{checked_ratios, model_options};
 use crate::arguments::{GeneralArguments, ModelArguments};
 use crate::error::CommandError;
-use crate::terminal::print_rows;
-use compare::numbers::{rounded, written};
 use compare::output::{OutputFolder, csv_text};
 use compare::{Method, ModelOptions, Numbers, load_rows};
 
@@ -28,20 +26,11 @@ pub(super) fn run(
     let out = OutputFolder::open_beside_others(&general.out)?;
     let rows = load_rows(&methods, &gaps, set, &options)?;
     out.write("loads.csv", &csv_text(&rows)?)?;
-    print_rows(
-        &["method", "ratio", "gap", "load", "value", "error estimate"],
-        rows.iter().take(PRINTED).map(|row| {
-            vec![
-                row.method.to_string(),
-                written(row.ratio),
-                written(row.gap),
-                row.name.clone(),
-                rounded(row.value, 9),
-                row.error_estimate.clone(),
-            ]
-        }),
-    );
-    print_rest(rows.len(), "loads");
+    let numbers = rows.iter().map(|row| {
+        let (name, error) = (row.name.as_str(), row.error_estimate.as_str());
+        (row.method, row.ratio, row.gap, name, row.value, error)
+    });
+    print_numbers("load", "loads", numbers);
     Ok(())
 }
 

@@ -2,9 +2,11 @@
 
 use crate::error::CommandError;
 use crate::streams::print_line;
-use compare::Approach;
+use crate::terminal::print_rows;
+use compare::numbers::{rounded, written};
 use compare::output::OutputFolder;
 use compare::study::encounters::{Drawn, MOST_RUNS};
+use compare::{Approach, Method};
 
 /// The number of combinations, if a sweep can have so many.
 pub(super) fn checked_count(beta: &[f64], dx: &[f64], dz: &[f64]) -> Result<usize, CommandError> {
@@ -43,6 +45,33 @@ pub(super) fn keep_first<R>(first: &mut Vec<R>, row: R) {
     if first.len() < PRINTED {
         first.push(row);
     }
+}
+
+/// A number at a gap: method, ratio of the radii, gap, name, value and error estimate.
+pub(super) type NumberAtGap<'a> = (Method, f64, f64, &'a str, f64, &'a str);
+
+/// Prints the rows of `name.csv`, whose numbers are each a `kind`.
+pub(super) fn print_numbers<'a>(
+    kind: &str,
+    name: &str,
+    rows: impl ExactSizeIterator<Item = NumberAtGap<'a>>,
+) {
+    let count = rows.len();
+    print_rows(
+        &["method", "ratio", "gap", kind, "value", "error estimate"],
+        rows.take(PRINTED)
+            .map(|(method, ratio, gap, name, value, error_estimate)| {
+                vec![
+                    method.to_string(),
+                    written(ratio),
+                    written(gap),
+                    name.to_owned(),
+                    rounded(value, 9),
+                    error_estimate.to_owned(),
+                ]
+            }),
+    );
+    print_rest(count, name);
 }
 
 /// Reports the number of rows that are not printed.

@@ -6,7 +6,7 @@ use clap::{Arg, Args};
 use scene::{Gap, RunOptions};
 
 use super::loads::checked_gaps;
-use super::many::{PRINTED, print_rest};
+use super::many::print_numbers;
 use super::scene::read;
 use super::shared::{checked_ratios, highest, model_options};
 use crate::arguments::{GeneralArguments, ModelArguments};
@@ -92,20 +92,11 @@ fn by_gap(
     for picture in pictures::of_stress(&rows)? {
         out.write(&picture.file_name, &picture.svg)?;
     }
-    print_rows(
-        &["method", "ratio", "gap", "name", "value", "error estimate"],
-        rows.iter().take(PRINTED).map(|row| {
-            vec![
-                row.method.to_string(),
-                written(row.ratio),
-                written(row.gap),
-                row.name.clone(),
-                rounded(row.value, 9),
-                row.error_estimate.clone(),
-            ]
-        }),
-    );
-    print_rest(rows.len(), "stress");
+    let numbers = rows.iter().map(|row| {
+        let (name, error) = (row.name.as_str(), row.error_estimate.as_str());
+        (row.method, row.ratio, row.gap, name, row.value, error)
+    });
+    print_numbers("name", "stress", numbers);
     Ok(())
 }
 
