@@ -8,7 +8,7 @@ use super::canvas::{
 };
 use super::heat;
 use super::streamlines::{Square, streamlines};
-use super::style::{Colour, Fill, Hatch, colour};
+use super::style::{Colour, Fill, Hatch, WHITE, colour};
 use super::{FigureError, number};
 use compare::study::flow::{FlowField, FlowFrame, Window};
 use scene::nalgebra::Vector3;
@@ -192,9 +192,14 @@ fn shade(share: f64) -> Colour {
 fn cells(field: &FlowField, fastest: f64) -> Vec<MapCell> {
     let cell = |speed: f64| {
         let share = if fastest > 0.0 { speed / fastest } else { 0.0 };
-        // Within a sphere there is no speed; it is drawn over.
+        // Within a sphere there is no speed. On a coarse grid such a cell sticks out: it is not that of still fluid.
+        let colour = if speed.is_nan() {
+            WHITE
+        } else {
+            shade(share.sqrt())
+        };
         MapCell {
-            fill: Fill::new(shade(share.max(0.0).sqrt()), Hatch::Plain),
+            fill: Fill::new(colour, Hatch::Plain),
             is_data: true,
         }
     };
