@@ -192,7 +192,7 @@ impl Method {
             }
             Self::Bem => return Ok(Box::new(Bem::of_ratio(options.mesh, ratio)?)),
             Self::Lt | Self::LtCorrected => {
-                "lubrication theory knows loads, no flow: give --method exact or --method bem"
+                "lubrication theory has no stresslet beyond its singular parts; it knows loads, no flow: give --method exact or --method bem"
             }
             Self::Isolated => {
                 "without interaction there is no flow about a pair: give --method exact or --method bem"

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use crate::elementary::exp;
 use crate::squirmer::finite;
-use crate::{Gap, SceneError};
+use crate::{Gap, SceneError, Squirmer};
 
 /// `kappa2 eps` beyond which repulsion is none: it is below 1e-130 of its strength, and nobody waits for an exponential.
 const NEGLIGIBLE: f64 = 300.0;
@@ -108,6 +108,13 @@ impl Gravity {
     #[must_use]
     pub fn direction(&self) -> Vector3<f64> {
         self.direction
+    }
+
+    /// Torque on a squirmer with unit orientation `p`, `-(V_s G_bh/pi) p x g` per `pi mu a^2` (the paper's Eq. 9).
+    #[inline]
+    #[must_use]
+    pub fn torque(&self, squirmer: &Squirmer, p: &Vector3<f64>) -> Vector3<f64> {
+        p.cross(&self.direction) * -squirmer.gravity_torque()
     }
 
     /// The same as it is seen in another frame.

@@ -74,8 +74,8 @@ impl MovingPair {
             loads,
             torque: torques.is_some(),
         };
-        let headings = headings(configuration);
-        let turned = headings.map(|heading| line.cross(&heading.transverse));
+        let headings = Heading::of_both(&line, configuration.orientations);
+        let turned = headings.each_ref().map(|heading| heading.turned(&line));
         let repulsion = (plan.repulsion()).map_or(0.0, |r| r.force(configuration.gap));
         let external = External {
             repulsion,
@@ -177,32 +177,10 @@ fn velocities(
     [mean - relative * 0.5, mean + relative * 0.5]
 }
 
-/// Orientations in the pair frame.
-fn headings(configuration: &Configuration) -> [Heading<Vector3<f64>>; 2] {
-    let line = configuration.line;
-    let [along, against] = configuration.orientations.map(|p| {
-        let cosine = p.dot(&line);
-        Heading {
-            cosine,
-            transverse: p - line * cosine,
-        }
-    });
-    [
-        along,
-        Heading {
-            cosine: -against.cosine,
-            ..against
-        },
-    ]
-}
-
 /// Torques of gravity per `pi mu a^2`, if it acts.
 fn gravity_torques(plan: &Plan, configuration: &Configuration) -> Option<[Vector3<f64>; 2]> {
     plan.gravity().map(|gravity| {
-        [0, 1].map(|k| {
-            let p = configuration.orientations[k];
-            p.cross(&gravity.direction()) * -plan.scene().squirmers[k].gravity_torque()
-        })
+        [0, 1].map(|k| gravity.torque(&plan.scene().squirmers[k], &configuration.orientations[k]))
     })
 }
 

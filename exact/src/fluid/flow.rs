@@ -33,7 +33,8 @@ pub struct SeriesFlow {
     functions: Functions,
     summed: Harmonics<4>,
     gradients: OnceLock<Harmonics<12>>,
-    error: f64,
+    /// Found when it is first asked for.
+    error: OnceLock<f64>,
 }
 
 impl SeriesFlow {
@@ -52,7 +53,7 @@ impl SeriesFlow {
         }
         let sphere = &geometry.spheres[0];
         let summed = Harmonics::new(functions.each_ref());
-        let mut flow = Self {
+        Ok(Self {
             pair: *pair,
             geometry,
             axes: Matrix3::from_columns(&[axes.e1, axes.e2, -axes.d]),
@@ -61,10 +62,8 @@ impl SeriesFlow {
             functions,
             summed,
             gradients: OnceLock::new(),
-            error: 0.0,
-        };
-        flow.error = flow.residual(RESIDUAL_POINTS);
-        Ok(flow)
+            error: OnceLock::new(),
+        })
     }
 
     /// Position in the frame of the series, and the point there.
@@ -228,6 +227,6 @@ impl Flow for SeriesFlow {
     }
 
     fn error_estimate(&self) -> f64 {
-        self.error
+        *(self.error).get_or_init(|| self.residual(RESIDUAL_POINTS))
     }
 }

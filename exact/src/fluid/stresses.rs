@@ -77,10 +77,9 @@ fn of_block(
         };
         for column in 0..count {
             // What the sphere does itself in this case.
-            let own = column
-                .checked_sub(sphere * causes.len())
-                .and_then(|k| causes.get(k));
-            let tractions = on.tractions(column, own.copied());
+            let own = (column.checked_sub(sphere * causes.len()))
+                .and_then(|k| Some((*causes.get(k)?, units[sphere].get(k)?.as_slice())));
+            let tractions = on.tractions(column, own);
             for (row, cause) in causes.iter().enumerate() {
                 work[(sphere * causes.len() + row, column)] = match cause {
                     Cause::Translation => -on.force(column),

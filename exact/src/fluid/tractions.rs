@@ -22,21 +22,14 @@ use crate::stencil::times_denominator;
 use crate::surface::{Surface, apply, product};
 use crate::system::Field;
 use crate::transverse::{self, DIFFERENCE, SUM};
-use crate::unlike::{
-    NOMINAL, PairSeries, put_into_axial_equations, put_into_equations, row_slopes,
-};
+use crate::unlike::{NOMINAL, PairSeries, put_into_axial_equations, row_slopes};
 
 impl On<'_> {
-    /// Tangential tractions of a case, with their signs turned, as the products with velocities have them: each with its azimuthal order.
-    pub fn tractions(&self, case: usize, own: Option<Cause>) -> Vec<(usize, Vec<f64>)> {
+    /// Tangential tractions of a case, with their signs turned, as the products with velocities have them: each with its azimuthal order. `own` is what
+    /// the sphere does itself in that case, with the rows of its velocity.
+    pub fn tractions(&self, case: usize, own: Option<(Cause, &[f64])>) -> Vec<(usize, Vec<f64>)> {
         let geometry = self.geometry();
-        // Of `sinh U/S`, where `U = S^(1/2) u` is the sphere's own velocity.
-        let share = match own {
-            None => 0.0,
-            Some(Cause::Translation) => -0.5,
-            Some(_) => 0.5,
-        };
-        let components = match self.solution {
+        let mut components = match self.solution {
             Solution::Twist(cases) => vec![self.twisting(&cases[case])],
             Solution::Axial(series) => {
                 let fields = axial::Fields::new(NOMINAL);
@@ -51,51 +44,47 @@ impl On<'_> {
                 vec![(m, axial), (m - 1, lower), (m + 1, upper)]
             }
         };
-        let velocities = self.velocities(case);
-        components
-            .into_iter()
-            .zip(velocities)
-            .map(|((order, mut slope), velocity)| {
-                let surface = Surface::new(geometry, order);
-                if share != 0.0 {
-                    let own = surface.over_denominator(velocity);
-                    for (s, u) in slope.iter_mut().zip(own) {
-                        *s += share * geometry.sinh * u;
-                    }
+        if let Some((cause, rows)) = own {
+            let share = if cause == Cause::Translation {
+                -0.5
+            } else {
+                0.5
+            };
+            for ((order, slope), velocity) in components.iter_mut().zip(self.components(rows)) {
+                let own = Surface::new(geometry, *order).over_denominator(velocity);
+                for (s, u) in slope.iter_mut().zip(own) {
+                    *s += share * geometry.sinh * u;
                 }
-                (
-                    order,
-                    surface.over_denominator(surface.over_denominator(slope)),
-                )
-            })
-            .collect()
-    }
-
-    /// `S^(1/2)` times the velocity of this sphere in a case, component by component.
-    fn velocities(&self, case: usize) -> Vec<Vec<f64>> {
-        let geometry = self.geometry();
-        match self.solution {
-            Solution::Twist(cases) => {
-                let (values, _) = self.twist_jets(&cases[case]);
-                vec![apply(&values, 1, |n| {
-                    times_denominator(n, 1, geometry.cosh)
-                })]
-            }
-            Solution::Axial(series) => {
-                let (values, _) = self.jets(series, &axial::Fields::new(NOMINAL).all(), case);
-                let rows = put_into_axial_equations(self.pair, self.sphere, values);
-                [axial::AXIAL, axial::RADIAL]
-                    .map(|equation| negated(&rows, axial::FIELDS, equation))
-                    .into()
-            }
-            Solution::Across(series, fields) => {
-                let (values, _) = self.jets(series, &fields.all(), case);
-                let rows = put_into_equations(self.pair, self.sphere, values, fields);
-                [transverse::AXIAL, DIFFERENCE, SUM]
-                    .map(|equation| negated(&rows, transverse::FIELDS, equation))
-                    .into()
             }
         }
+        let over_square = |(order, slope): (usize, Vec<f64>)| {
+            let surface = Surface::new(geometry, order);
+            (
+                order,
+                surface.over_denominator(surface.over_denominator(slope)),
+            )
+        };
+        components.into_iter().map(over_square).collect()
+    }
+
+    /// The components of a velocity, `S^(1/2)` times each, from the rows of the equations that set it.
+    fn components(&self, rows: &[f64]) -> Vec<Vec<f64>> {
+        let (fields, equations): (_, &[usize]) = match self.solution {
+            Solution::Twist(_) => {
+                let cosh = self.geometry().cosh;
+                return vec![apply(rows, 1, |n| times_denominator(n, 1, cosh))];
+            }
+            Solution::Axial(_) => (axial::FIELDS, &[axial::AXIAL, axial::RADIAL]),
+            Solution::Across(..) => (transverse::FIELDS, &[transverse::AXIAL, DIFFERENCE, SUM]),
+        };
+        let of = |equation: &usize| {
+            rows.iter()
+                .skip(*equation)
+                .step_by(fields)
+                .copied()
+                .collect()
+        };
+        equations.iter().map(of).collect()
     }
 
     /// Values of the fields on the sphere and their derivatives by `xi`, by the fields' indices.
@@ -159,34 +148,18 @@ impl On<'_> {
 
     /// Rate of work of a velocity, the rows of a cause, against tractions.
     pub fn work(&self, velocity: &[f64], tractions: &[(usize, Vec<f64>)]) -> f64 {
-        let geometry = self.geometry();
-        let scale = PI * self.radius * geometry.sinh;
-        let (fields, equations, weights) = match self.solution {
-            Solution::Twist(_) => {
-                let velocity = apply(velocity, 1, |n| times_denominator(n, 1, geometry.cosh));
-                let traction = &tractions[0].1;
-                return 2.0 * scale * product(1, &velocity, traction);
-            }
-            Solution::Axial(_) => (
-                axial::FIELDS,
-                vec![axial::AXIAL, axial::RADIAL],
-                vec![2.0, 2.0],
-            ),
-            Solution::Across(..) => (
-                transverse::FIELDS,
-                vec![transverse::AXIAL, DIFFERENCE, SUM],
-                vec![1.0, 0.5, 0.5],
-            ),
+        let scale = PI * self.radius * self.geometry().sinh;
+        let weights: &[f64] = match self.solution {
+            Solution::Twist(_) | Solution::Axial(_) => &[2.0, 2.0],
+            Solution::Across(..) => &[1.0, 0.5, 0.5],
         };
-        let parts = equations.into_iter().zip(weights).zip(tractions);
+        let parts = self
+            .components(velocity)
+            .into_iter()
+            .zip(weights)
+            .zip(tractions);
         parts
-            .map(|((equation, weight), (order, traction))| {
-                let of: Vec<f64> = velocity
-                    .iter()
-                    .skip(equation)
-                    .step_by(fields)
-                    .copied()
-                    .collect();
+            .map(|((of, weight), (order, traction))| {
                 scale * weight * product(*order, &of, traction)
             })
             .sum()

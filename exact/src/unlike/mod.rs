@@ -17,7 +17,7 @@ mod twist;
 
 pub use geometry::Pair;
 pub use limits::{Limit, Terms};
-pub use lone::{put_into_axial_equations, put_into_equations};
+pub use lone::put_into_axial_equations;
 pub use lorentz::row_slopes;
 pub use model::Unlike;
 pub use system::{NOMINAL, PairSeries, PairSystem};

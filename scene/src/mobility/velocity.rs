@@ -2,6 +2,8 @@
 
 use std::ops::{Add, Mul, Sub};
 
+use nalgebra::Vector3;
+
 use super::{Across, ModeMobility, PairMobility, SwirlMobility};
 use crate::{Squirmer, legendre};
 
@@ -13,7 +15,7 @@ pub trait Transverse:
 
 impl Transverse for f64 {}
 
-impl Transverse for nalgebra::Vector3<f64> {}
+impl Transverse for Vector3<f64> {}
 
 /// A squirmer's orientation in the pair frame.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +24,35 @@ pub struct Heading<T> {
     pub cosine: f64,
     /// The part of `p` perpendicular to `d`, in axes common to both squirmers.
     pub transverse: T,
+}
+
+impl Heading<Vector3<f64>> {
+    /// Of both squirmers, by the unit vector from the first centre to the second and their unit orientations.
+    #[inline]
+    #[must_use]
+    pub fn of_both(line: &Vector3<f64>, orientations: [Vector3<f64>; 2]) -> [Self; 2] {
+        let [along, against] = orientations.map(|p| {
+            let cosine = p.dot(line);
+            Self {
+                cosine,
+                transverse: p - line * cosine,
+            }
+        });
+        [
+            along,
+            Self {
+                cosine: -against.cosine,
+                ..against
+            },
+        ]
+    }
+
+    /// The transverse heading turned by a quarter about the line of centres, `d x v`.
+    #[inline]
+    #[must_use]
+    pub fn turned(&self, line: &Vector3<f64>) -> Vector3<f64> {
+        line.cross(&self.transverse)
+    }
 }
 
 /// Loads of other than hydrodynamic origin.

@@ -11,4 +11,4 @@ pub(super) use self::mirror_symmetric::MirrorSymmetric;
 pub(crate) use self::planar::Planar;
 pub(super) use self::point_symmetric::PointSymmetric;
 pub(crate) use self::spatial::Spatial;
-pub(super) use self::spatial::{along_line, quarter_turned, spin_about};
+pub(super) use self::spatial::{along_line, spin_about};

@@ -3,7 +3,7 @@
 
 use nalgebra::Vector3;
 
-use super::coordinates::{Spatial, along_line, quarter_turned, spin_about};
+use super::coordinates::{Spatial, along_line, spin_about};
 use super::equations::{Dynamics as _, Effect, Instant};
 use crate::mobility::{Heading, Mobility, add_swirl, pair_velocity};
 use crate::{Gravity, Hydrodynamics, SceneError};
@@ -33,7 +33,7 @@ where
     let set = at.mobility_set();
     (at.model).interacting_mobility_with_swirl(at.gap, set, (pair, modes), swirl)?;
     let d = along_line(y);
-    let turned = quarter_turned(&d, headings);
+    let turned = headings.each_ref().map(|heading| heading.turned(&d));
     let external = at.external(coordinates, y);
     let read = &modes[..at.set.modes];
     let mut velocity = pair_velocity((pair, read), at.squirmers, headings, &external);

@@ -30,16 +30,13 @@ pub(super) fn figures(
 
 /// The encounters of the smallest offset of each beta.
 fn closest() -> Result<Vec<Case>, CommandError> {
-    let mut cases = Vec::new();
-    for approach in [Approach::HeadOn, Approach::Orthogonal] {
-        let of = |case: &Case| case.approach == approach;
-        let mut all: Vec<Case> = (Defaults::paper_encounters()?.into_iter())
-            .filter(of)
-            .collect();
-        all.sort_by(|a, b| a.beta.total_cmp(&b.beta).then(a.dx.total_cmp(&b.dx)));
-        all.dedup_by(|next, first| next.beta.total_cmp(&first.beta).is_eq());
-        cases.extend(all);
-    }
+    let mut cases = Defaults::paper_encounters()?;
+    let of_paths = |a: &Case, b: &Case| {
+        let approach = a.approach.cmp(&b.approach);
+        approach.then(a.beta.total_cmp(&b.beta))
+    };
+    cases.sort_by(|a, b| of_paths(a, b).then(a.dx.total_cmp(&b.dx)));
+    cases.dedup_by(|next, first| of_paths(next, first).is_eq());
     Ok(cases)
 }
 

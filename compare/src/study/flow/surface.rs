@@ -72,10 +72,9 @@ impl SurfaceField {
 
 /// A vector of a mesh whose axis points to the other sphere, in the laboratory.
 fn facing_other(pair: &MovingPair, sphere: usize, vector: &Vector3<f64>) -> Vector3<f64> {
-    let Axes { e1, e2, .. } = Axes::of(pair);
-    let towards = Axes::of(pair).towards_other(sphere);
-    let second = if sphere == 0 { e2 } else { -e2 };
-    e1 * vector.x + second * vector.y + towards * vector.z
+    let axes = Axes::of(pair);
+    let second = if sphere == 0 { axes.e2 } else { -axes.e2 };
+    axes.e1 * vector.x + second * vector.y + axes.towards_other(sphere) * vector.z
 }
 
 /// The largest speed of the surfaces of some pairs in a frame, or that of the fluid far away if it is larger: the end of a colour scale.

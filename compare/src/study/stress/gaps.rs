@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use scene::Gap;
 use serde::Serialize;
 
-use super::{fluid, for_comparison};
+use super::for_comparison;
 use crate::columns::columns;
 use crate::numbers::size;
 use crate::watch::{Pieces, Progress};
@@ -53,7 +53,7 @@ pub fn stress_rows(
     let mut rows = Vec::new();
     for &method in methods {
         for &ratio in &options.ratios {
-            let model = fluid(method, options, ratio)?;
+            let model = method.fluid(options, ratio)?;
             let progress = Progress::begin("gaps", gaps.len(), Pieces::Alike);
             let at = |gap: &Gap| {
                 let (squirming, swirl) = modes;

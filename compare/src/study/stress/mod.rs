@@ -29,36 +29,12 @@ use crate::{
 /// The methods that have stresslets, which a command computes by default.
 pub const METHODS: [Method; 2] = [Method::Exact, Method::Bem];
 
-/// The model of a method for stresslets and power.
-///
-/// # Errors
-/// [`CompareError::Input`] for a method that has none.
-pub(crate) fn fluid(
-    method: Method,
-    options: &ModelOptions,
-    ratio: f64,
-) -> Result<Box<dyn Fluid>, CompareError> {
-    let refused = |reason: &str| Err(CompareError::input("--method", method, reason));
-    match method {
-        Method::Lt | Method::LtCorrected => refused(
-            "lubrication theory has no stresslet beyond its singular parts: give exact or bem",
-        ),
-        Method::Other(_) => {
-            refused("a model from outside has loads and no stresslets: give exact or bem")
-        }
-        Method::Isolated => {
-            refused("without interaction stresslets are those of lone squirmers: give exact or bem")
-        }
-        Method::Exact | Method::Bem => method.fluid(options, ratio),
-    }
-}
-
 /// Refuses a method that has no stresslets.
 ///
 /// # Errors
 /// [`CompareError::Input`].
 pub fn check_method(method: Method) -> Result<(), CompareError> {
-    fluid(method, &ModelOptions::default(), 1.0).map(drop)
+    method.fluid(&ModelOptions::default(), 1.0).map(drop)
 }
 
 /// The same model with more terms or another mesh, the next coarser one that resolves the gap or else a finer one: their difference is an
@@ -80,7 +56,7 @@ fn for_comparison(
                 mesh,
                 ..options.clone()
             };
-            return fluid(method, &options, ratio).map(Some);
+            return method.fluid(&options, ratio).map(Some);
         }
     }
     Ok(None)
@@ -105,7 +81,7 @@ impl Stressed {
             ..options.clone()
         };
         Ok(Self {
-            fluid: fluid(method, &options, ratio)?,
+            fluid: method.fluid(&options, ratio)?,
             model: Model::set_up(method, &options)?,
         })
     }

@@ -116,21 +116,7 @@ impl<W: Effect<Swirl>> Dynamics<13> for Spatial<W> {
     #[inline]
     fn headings(&self, y: &[f64; 13]) -> [Heading<Vector3<f64>>; 2] {
         let d = vector(y, LINE).normalize();
-        let [along, against] = ORIENTATION.map(|at| {
-            let p = vector(y, at).normalize();
-            let along = p.dot(&d);
-            Heading {
-                cosine: along,
-                transverse: p - d * along,
-            }
-        });
-        [
-            along,
-            Heading {
-                cosine: -against.cosine,
-                ..against
-            },
-        ]
+        Heading::of_both(&d, ORIENTATION.map(|at| vector(y, at).normalize()))
     }
 
     #[inline]
@@ -199,17 +185,8 @@ impl<W: Effect<Swirl>> Dynamics<13> for Spatial<W> {
         headings: &[Heading<Vector3<f64>>; 2],
     ) -> Option<[Vector3<f64>; 2]> {
         let d = along_line(y);
-        self.swirl.get().map(|Swirl| quarter_turned(&d, headings))
+        (self.swirl.get()).map(|Swirl| headings.each_ref().map(|heading| heading.turned(&d)))
     }
-}
-
-/// The transverse headings turned by a quarter about the line of centres, `d x v`.
-#[inline]
-pub(in crate::motion) fn quarter_turned(
-    d: &Vector3<f64>,
-    headings: &[Heading<Vector3<f64>>; 2],
-) -> [Vector3<f64>; 2] {
-    [0, 1].map(|k| d.cross(&headings[k].transverse))
 }
 
 /// Adds spins about the line of centres to a derivative.
@@ -226,7 +203,7 @@ pub(in crate::motion) fn spin_about(
     }
 }
 
-/// Torques of gravity, `-(V_s G_bh/pi) p x g` per `pi mu a^2` (the paper's Eq. 9).
+/// Torques of gravity, per `pi mu a^2`.
 #[inline]
 fn spatial_torques(
     y: &[f64; 13],
@@ -235,6 +212,6 @@ fn spatial_torques(
 ) -> [Vector3<f64>; 2] {
     [0, 1].map(|k| {
         let p = vector(y, ORIENTATION[k]).normalize();
-        p.cross(&gravity.direction()) * -squirmers[k].gravity_torque()
+        gravity.torque(&squirmers[k], &p)
     })
 }
