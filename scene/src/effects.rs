@@ -79,6 +79,15 @@ impl Repulsion {
         // e/(1 - e) without cancellation at small gaps.
         scale / decayed.exp_m1()
     }
+
+    /// How [`Self::force`] changes with `ln eps`, with `kappa1` and with `kappa2`.
+    pub(crate) fn slopes(&self, gap: Gap) -> [f64; 3] {
+        let (force, decayed) = (self.force(gap), self.decay * gap.eps());
+        // By x = kappa2 eps the force goes as 1/(e^x - 1): x times its slope over itself is -x/(1 - e^-x).
+        let by_ln = -force * decayed / -(-decayed).exp_m1();
+        let by_strength = force / self.strength;
+        [by_ln, by_strength, (force + by_ln) / self.decay]
+    }
 }
 
 /// Gravity, which turns bottom-heavy squirmers upward.

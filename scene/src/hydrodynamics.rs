@@ -65,6 +65,19 @@ pub struct ModelDescription<'a> {
     pub noise: f64,
 }
 
+/// Step in `ln eps` of the difference that stands for the derivative of coefficients: its error, a 630th of the eighth power of the step, is that of rounding.
+const STEP: f64 = 0.04;
+
+/// Offsets and weights of the central difference of order 8 with a `step` (Fornberg, Math. Comput. 51 (1988) 699).
+pub(crate) fn central_difference(step: f64) -> impl Iterator<Item = (f64, f64)> {
+    const WEIGHTS: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
+    let of = move |(i, weight): (u8, f64)| {
+        let offset = f64::from(i) * step;
+        [(offset, weight / step), (-offset, -weight / step)]
+    };
+    (1..).zip(WEIGHTS).flat_map(of)
+}
+
 /// Noise of a model that is a formula.
 const ROUNDING_NOISE: f64 = 1e-13;
 
@@ -210,6 +223,32 @@ pub trait Hydrodynamics: Send + Sync {
     ) -> Result<MobilityOfEach, SceneError> {
         let loads = self.interacting_loads_of_each(gap, set.loads)?;
         Ok(balance::of_each(gap, self.description().ratio, &loads, set))
+    }
+
+    /// How each cause of either squirmer moves the pair at `gap`, of spheres of any radii that interact, and how that changes with
+    /// `ln eps`: what the linearised motion reads. By default the change is a difference of order 8 of the coefficients themselves, good to about 1e-13 of
+    /// them where a model is smooth; a table gives the derivative of its polynomials.
+    ///
+    /// # Errors
+    /// As [`Self::interacting_loads`].
+    fn interacting_mobility_with_slope(
+        &self,
+        gap: Gap,
+        set: MobilitySet,
+    ) -> Result<[MobilityOfEach; 2], SceneError> {
+        let at = |gap: Gap| {
+            if self.has_unlike_radii() {
+                return self.interacting_mobility_of_each(gap, set);
+            }
+            Ok(MobilityOfEach::of_equal(
+                &self.interacting_mobilities(gap, set)?,
+            ))
+        };
+        let mut slope = MobilityOfEach::default();
+        for (offset, weight) in central_difference(STEP) {
+            slope.add(weight, &at(Gap::from_ln(gap.ln() + offset))?);
+        }
+        Ok([at(gap)?, slope])
     }
 
     /// Refuses to take the loads of sphere 1 for those of both.

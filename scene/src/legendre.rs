@@ -34,3 +34,35 @@ pub fn legendre(c: f64) -> impl Iterator<Item = Legendre> {
         })
     })
 }
+
+/// The same with the derivative `dW_n/dc` of each order.
+pub(crate) fn legendre_with_slope(c: f64) -> impl Iterator<Item = (Legendre, f64)> {
+    // P_(n+1)'' = P_(n-1)'' + (2 n + 1) P_n'; of n, P_n'', P_(n-1)''.
+    let mut state = (1.0, 0.0, 0.0);
+    legendre(c).map(move |order| {
+        let (n, second, before) = state;
+        state = (n + 1.0, before + (2.0 * n + 1.0) * order.derivative, second);
+        (order, 2.0 * second / (n * (n + 1.0)))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn val_slopes_of_the_squirming_functions_by_central_differences() {
+        for c in [-1.0, -0.3, 0.0, 0.7, 1.0] {
+            let h = 1e-3;
+            let around = legendre(c + h).zip(legendre(c - h));
+            for (n, ((_, slope), (above, below))) in
+                legendre_with_slope(c).zip(around).enumerate().take(6)
+            {
+                let difference = (above.w - below.w) / (2.0 * h);
+                assert!((slope - difference).abs() < 1e-3, "order {} at {c}", n + 1);
+            }
+        }
+        // W_3 = (5 c^2 - 1)/4 in full.
+        assert!((legendre_with_slope(0.3).nth(2).unwrap().1 - 0.75).abs() < 1e-15);
+    }
+}

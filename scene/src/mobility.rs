@@ -25,6 +25,7 @@ mod velocity;
 pub use coefficients::{Block, COEFFICIENTS, Coefficient};
 pub(crate) use coefficients::{FarScale, Of};
 pub use of_each::{MobilityOfEach, add_swirl_of_each, velocity_of_each};
+pub(crate) use of_each::{Slip, add_swirl_by, velocity_by};
 pub use velocity::{External, Heading, PairVelocity, Transverse, add_swirl, pair_velocity};
 pub(crate) use velocity::{Image, symmetric_velocity};
 
@@ -106,6 +107,56 @@ pub struct MobilitySet {
     pub loads: LoadSet,
     /// Whether torques across `d` are among the causes. Those about `d` are if the loads have the twist.
     pub torque: bool,
+}
+
+impl Across {
+    /// Adds `weight` times another one.
+    fn add(&mut self, weight: f64, other: &Self) {
+        self.mean_transverse += weight * other.mean_transverse;
+        self.counter_spin += weight * other.counter_spin;
+        self.turning += weight * other.turning;
+        self.mean_spin += weight * other.mean_spin;
+    }
+
+    /// By the cause of squirmer 2 alone, where it is of a sum over the two that moves them alike and of the difference that moves them oppositely.
+    fn of_second(self) -> Self {
+        Self {
+            turning: -self.turning,
+            mean_spin: -self.mean_spin,
+            ..self
+        }
+    }
+
+    /// The same where the difference moves them alike and the sum oppositely.
+    fn of_second_turned(self) -> Self {
+        Self {
+            mean_transverse: -self.mean_transverse,
+            counter_spin: -self.counter_spin,
+            ..self
+        }
+    }
+}
+
+impl Mobility {
+    /// Adds `weight` times another one.
+    pub(crate) fn add(&mut self, weight: f64, other: &Self) {
+        let twist = |of: &mut Twist, other: &Twist| {
+            of.mean += weight * other.mean;
+            of.half_difference += weight * other.half_difference;
+        };
+        self.pair.repulsion += weight * other.pair.repulsion;
+        self.pair.torque.add(weight, &other.pair.torque);
+        twist(&mut self.pair.twist, &other.pair.twist);
+        for (of, other) in self.modes.iter_mut().zip(&other.modes) {
+            of.opening += weight * other.opening;
+            of.mean_axial += weight * other.mean_axial;
+            of.across.add(weight, &other.across);
+        }
+        for (of, other) in self.swirl.iter_mut().zip(&other.swirl) {
+            twist(&mut of.twist, &other.twist);
+            of.across.add(weight, &other.across);
+        }
+    }
 }
 
 impl Twist {

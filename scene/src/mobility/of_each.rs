@@ -1,8 +1,6 @@
 //! Motion of a pair of unlike radii: each squirmer's causes have coefficients of their own.
 
-use super::{
-    Across, External, Heading, Mobility, MobilitySet, PairVelocity, SwirlMobility, Transverse,
-};
+use super::{Across, External, Heading, Mobility, MobilitySet, PairVelocity, Transverse};
 use crate::{Squirmer, legendre};
 
 /// The coefficients of a pair of unlike radii at one gap. Where the two are equal, those of squirmer 1 and 2 follow from sums and
@@ -17,6 +15,35 @@ pub struct MobilityOfEach {
 }
 
 impl MobilityOfEach {
+    /// Of equal radii: the causes of squirmer 1 and 2 taken out of their sums and differences.
+    #[must_use]
+    pub fn of_equal(alike: &Mobility) -> Self {
+        let mut second = alike.clone();
+        second.pair.repulsion = 0.0;
+        second.pair.torque = alike.pair.torque.of_second_turned();
+        second.pair.twist.half_difference = -alike.pair.twist.half_difference;
+        for mode in &mut second.modes {
+            mode.mean_axial = -mode.mean_axial;
+            mode.across = mode.across.of_second();
+        }
+        for swirl in &mut second.swirl {
+            swirl.twist.mean = -swirl.twist.mean;
+            swirl.across = swirl.across.of_second_turned();
+        }
+        Self {
+            by: [alike.clone(), second],
+            mean_axial_by_repulsion: 0.0,
+        }
+    }
+
+    /// Adds `weight` times another one.
+    pub(crate) fn add(&mut self, weight: f64, other: &Self) {
+        for (of, other) in self.by.iter_mut().zip(&other.by) {
+            of.add(weight, other);
+        }
+        self.mean_axial_by_repulsion += weight * other.mean_axial_by_repulsion;
+    }
+
     /// Every coefficient of `set` by the causes of squirmer 1, then by those of squirmer 2, with its effect, its cause and its mode, such as
     /// `opening, d(ln eps)/dt by q1, mode 2`.
     #[must_use]
@@ -87,6 +114,15 @@ impl<T: Transverse> Sum<T> {
     }
 }
 
+/// What the slip of one mode of a squirmer does: along the line of centres and across it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slip<T> {
+    /// `B_n P_n(c)`, or of swirl `C_n P_n(c)`.
+    pub along: f64,
+    /// `B_n W_n(c)` times the transverse heading, or of swirl `C_n W_n(c)` times that turned by a quarter.
+    pub across: T,
+}
+
 /// Velocities of a pair of squirmers of unlike radii, which are free but for `external`, by the first `modes` squirming modes;
 /// `headings` in the pair frame.
 pub fn velocity_of_each<T: Transverse>(
@@ -96,18 +132,37 @@ pub fn velocity_of_each<T: Transverse>(
     headings: &[Heading<T>; 2],
     external: &External<T>,
 ) -> PairVelocity<T> {
-    let mut across = Sum::none(headings[0].transverse * 0.0);
+    let slip = [0, 1].map(|k| {
+        let heading = headings[k];
+        let orders = legendre(heading.cosine).take(modes).enumerate();
+        orders.map(move |(n, order)| {
+            let b = squirmers[k].mode(n);
+            Slip {
+                along: b * order.p,
+                across: heading.transverse * (b * order.w),
+            }
+        })
+    });
+    let zero = headings[0].transverse * 0.0;
+    velocity_by(mobility, slip, zero, external)
+}
+
+/// Velocities of a pair by the slip of each squirmer, from its first mode on, and by `external`. They are linear in the causes and in the coefficients.
+pub(crate) fn velocity_by<T: Transverse>(
+    mobility: &MobilityOfEach,
+    slip: [impl Iterator<Item = Slip<T>>; 2],
+    zero: T,
+    external: &External<T>,
+) -> PairVelocity<T> {
+    let mut across = Sum::none(zero);
     let mut opening = mobility.by[0].pair.repulsion * external.repulsion;
     let mut mean_axial = mobility.mean_axial_by_repulsion * external.repulsion;
-    for (k, heading) in headings.iter().enumerate() {
+    for (k, slip) in slip.into_iter().enumerate() {
         let by = &mobility.by[k];
-        for ((n, mode), order) in
-            (by.modes.iter().enumerate().take(modes)).zip(legendre(heading.cosine))
-        {
-            let b = squirmers[k].mode(n);
-            opening += b * order.p * mode.opening;
-            mean_axial += b * order.p * mode.mean_axial;
-            across.add(&mode.across, heading.transverse * (b * order.w));
+        for (mode, slip) in by.modes.iter().zip(slip) {
+            opening += slip.along * mode.opening;
+            mean_axial += slip.along * mode.mean_axial;
+            across.add(&mode.across, slip.across);
         }
         if let Some(torque) = external.torque {
             across.add(&by.pair.torque, torque[k]);
@@ -130,22 +185,33 @@ pub fn add_swirl_of_each<T: Transverse>(
     squirmers: &[Squirmer; 2],
     (headings, turned): (&[Heading<T>; 2], &[T; 2]),
 ) -> [f64; 2] {
+    let swirl = [0, 1].map(|k| {
+        let turned = turned[k];
+        let of_modes = squirmers[k].swirl().iter();
+        (of_modes.zip(legendre(headings[k].cosine))).map(move |(strength, order)| Slip {
+            along: strength * order.p,
+            across: turned * (strength * order.w),
+        })
+    });
+    add_swirl_by(velocity, mobility, swirl)
+}
+
+/// The same by the swirl of each squirmer, from its first mode on.
+pub(crate) fn add_swirl_by<T: Transverse>(
+    velocity: &mut PairVelocity<T>,
+    mobility: &MobilityOfEach,
+    swirl: [impl Iterator<Item = Slip<T>>; 2],
+) -> [f64; 2] {
     let mut across = Sum {
         mean_transverse: velocity.mean_transverse,
         turning: velocity.turning,
         spin: velocity.spin,
     };
     let mut axial = [0.0; 2];
-    for k in [0, 1] {
-        let of_modes = mobility.by[k].swirl.iter().zip(squirmers[k].swirl());
-        for ((of, strength), order) in of_modes.zip(legendre(headings[k].cosine)) {
-            let SwirlMobility {
-                twist,
-                across: of_across,
-            } = of;
-            across.add(of_across, turned[k] * (strength * order.w));
-            let about = strength * order.p;
-            let spins = twist.spins(about, about);
+    for (by, swirl) in mobility.by.iter().zip(swirl) {
+        for (of, slip) in by.swirl.iter().zip(swirl) {
+            across.add(&of.across, slip.across);
+            let spins = of.twist.spins(slip.along, slip.along);
             axial = [axial[0] + spins[0], axial[1] + spins[1]];
         }
     }

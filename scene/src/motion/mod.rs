@@ -16,6 +16,7 @@ mod result;
 mod run;
 mod steady;
 mod swirling;
+mod tangent;
 mod unlike;
 mod watch;
 
@@ -25,3 +26,4 @@ pub use outcome::Outcome;
 pub use rates::{rates, rates_monomorphic};
 pub use result::{Counters, Run, RunOptions, Sample};
 pub use run::{run, run_monomorphic, run_observed, run_plan};
+pub use tangent::{Perturbation, TangentRun, Variation, run_with_tangents};

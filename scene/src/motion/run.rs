@@ -84,7 +84,16 @@ pub fn run_monomorphic<H: Hydrodynamics + ?Sized>(
     options.check()?;
     plan.check_ratio(model)?;
     let Some(plane) = plan.plane() else {
-        return dispatch(plan, model, Observed { options, observe });
+        let phases = None;
+        return dispatch(
+            plan,
+            model,
+            Observed {
+                options,
+                observe,
+                phases,
+            },
+        );
     };
     let outside = |t: f64, within: &Configuration| {
         // The start is the scene's own, to the last bit.
@@ -101,8 +110,16 @@ pub fn run_monomorphic<H: Hydrodynamics + ?Sized>(
             ..*sample
         });
     };
-    let observe = &mut observe_outside;
-    let run = dispatch(plan, model, Observed { options, observe })?;
+    let (observe, phases): (&mut dyn FnMut(&Sample), _) = (&mut observe_outside, None);
+    let run = dispatch(
+        plan,
+        model,
+        Observed {
+            options,
+            observe,
+            phases,
+        },
+    )?;
     Ok(Run {
         start: *plan.start(),
         end: outside(run.end_time, &run.end),
@@ -111,10 +128,44 @@ pub fn run_monomorphic<H: Hydrodynamics + ?Sized>(
     })
 }
 
+/// A part of a run under one equation of motion.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Phase {
+    /// When it begins.
+    pub t: f64,
+    /// The pair then.
+    pub start: Configuration,
+    /// Whether the two fly freely, beyond a cut.
+    pub is_free: bool,
+}
+
+/// Runs a plan in three dimensions, and says of which phases the run consists.
+///
+/// # Errors
+/// As [`run`].
+pub(super) fn run_phases(
+    plan: &Plan,
+    model: &dyn Hydrodynamics,
+    options: &RunOptions,
+) -> Result<(Run, Vec<Phase>), SceneError> {
+    options.check()?;
+    plan.check_ratio(model)?;
+    let (mut phases, observe) = (Vec::new(), &mut |_: &Sample| {});
+    let task = Observed {
+        options,
+        observe,
+        phases: Some(&mut phases),
+    };
+    let run = dispatch(plan, model, task)?;
+    Ok((run, phases))
+}
+
 /// The task of running a plan.
 struct Observed<'a, 'b> {
     options: &'a RunOptions,
     observe: &'a mut (dyn FnMut(&Sample) + 'b),
+    /// Where its phases are entered, if they are asked for.
+    phases: Option<&'a mut Vec<Phase>>,
 }
 
 impl Task for Observed<'_, '_> {
@@ -170,6 +221,7 @@ struct Runner<'a, 'b, const N: usize> {
     ln_gap: usize,
     model: ModelEnds,
     recorder: Recorder<'a, 'b>,
+    phases: Option<&'a mut Vec<Phase>>,
     watch: Watch,
     start: Configuration,
     t: f64,
@@ -196,6 +248,7 @@ impl<'a, 'b, const N: usize> Runner<'a, 'b, N> {
         Self {
             options: task.options,
             recorder: Recorder::new(task.options.sample_interval, task.observe),
+            phases: task.phases,
             watch: Watch::new(righting, task.options.end_time),
             ln_gap: motion.chart().ln_gap(),
             motion,
@@ -288,6 +341,14 @@ impl<'a, 'b, const N: usize> Runner<'a, 'b, N> {
         })
     }
 
+    /// Enters a phase that begins now.
+    fn begin_phase(&mut self, is_free: bool) {
+        let (t, start) = (self.t, self.now);
+        if let Some(phases) = &mut self.phases {
+            phases.push(Phase { t, start, is_free });
+        }
+    }
+
     fn judge_bound(&self) -> Outcome {
         let speeds = self
             .motion
@@ -304,6 +365,7 @@ impl<'a, 'b, const N: usize> Runner<'a, 'b, N> {
         if self.t >= end_time {
             return Ok(PhaseEnd::Time);
         }
+        self.begin_phase(false);
         let (y, mut stepper) = self.stepper(end_time)?;
         let tolerance = self.options.tolerance;
         let beyond = |ln_gap: f64| parting.is_some_and(|parting| ln_gap >= parting.ln());

@@ -2,7 +2,7 @@
 
 mod of_each;
 
-pub(super) use of_each::{ColumnsOfEach, shrink_of_each};
+pub(super) use of_each::{ColumnsOfEach, shrink_of_each, shrink_slopes_of_each};
 
 use super::build::Tabulation;
 use super::columns::{BASE_MODES, Group};
@@ -58,11 +58,11 @@ impl Columns {
         }
     }
 
-    /// Fills in the coefficients of `set`; none if one is not tabulated.
+    /// Fills in the coefficients of `set`, or their derivatives; none if one is not tabulated.
     #[inline(always)]
-    pub fn read(
+    pub fn read<const SLOPE: bool>(
         &self,
-        place: &Place,
+        place: &Place<SLOPE>,
         set: MobilitySet,
         pair: &mut PairMobility,
         modes: &mut [ModeMobility],
@@ -133,9 +133,9 @@ impl Columns {
 
     /// The same where there is no room for the second mode.
     #[cold]
-    fn read_fewer(
+    fn read_fewer<const SLOPE: bool>(
         &self,
-        place: &Place,
+        place: &Place<SLOPE>,
         set: MobilitySet,
         pair: &mut PairMobility,
         modes: &mut [ModeMobility],
@@ -147,7 +147,11 @@ impl Columns {
     }
 
     /// The coefficients by a swirl mode, counted from 0, if it is tabulated.
-    pub fn swirl(&self, place: &Place, n: usize) -> Option<SwirlMobility> {
+    pub fn swirl<const SLOPE: bool>(
+        &self,
+        place: &Place<SLOPE>,
+        n: usize,
+    ) -> Option<SwirlMobility> {
         let parts = self.swirl.get(n)?;
         let [[mean, half_difference], even, odd] = parts.at(place)?;
         Some(SwirlMobility {
@@ -186,5 +190,26 @@ pub(super) fn shrink(gap: Gap, distance: f64, pair: &mut PairMobility, modes: &m
         ] {
             *far *= by_distance;
         }
+    }
+}
+
+/// From the slopes of what is tabulated far apart, already times those of its coordinate, to those of the coefficients by `ln eps`: [`shrink`] of them,
+/// and how the factors change. The coefficients are given as they are.
+fn shrink_slopes(
+    gap: Gap,
+    distance: f64,
+    (pair, modes): (&PairMobility, &[ModeMobility]),
+    (pair_slope, mode_slopes): (&mut PairMobility, &mut [ModeMobility]),
+) {
+    shrink(gap, distance, pair_slope, mode_slopes);
+    // d(1/eps) = -1/eps and d(1/r) = -eps/r^2 over d(ln eps).
+    let by_distance = gap.eps() / distance;
+    pair_slope.repulsion -= pair.repulsion;
+    pair_slope.torque.turning -= by_distance * pair.torque.turning;
+    for (mode, slope) in modes.iter().zip(mode_slopes) {
+        slope.opening -= mode.opening;
+        slope.across.turning -= by_distance * mode.across.turning;
+        slope.across.mean_spin -= by_distance * mode.across.mean_spin;
+        slope.across.counter_spin -= by_distance * mode.across.counter_spin;
     }
 }

@@ -28,9 +28,11 @@ use serde::{Deserialize, Serialize};
 
 use self::build::{Layout, Tabulation, limit};
 use self::columns::{BASE_MODES, Group};
-use self::look_up::{Columns, ColumnsOfEach, shrink, shrink_of_each};
+use self::look_up::{Columns, ColumnsOfEach, shrink, shrink_of_each, shrink_slopes_of_each};
 use self::parts::Place;
-use crate::mobility::{MobilityOfEach, MobilitySet, ModeMobility, PairMobility, SwirlMobilities};
+use crate::mobility::{
+    Mobility, MobilityOfEach, MobilitySet, ModeMobility, PairMobility, SwirlMobilities,
+};
 use crate::{
     ActiveLoads, Gap, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError, SwirlLoads,
     are_unlike,
@@ -181,6 +183,13 @@ impl Tabulated {
     /// Where `gap` lies, which may be `far`, with the centres at `distance`; none outside the table, where the model has to answer or refuse.
     #[inline(always)]
     fn place(&self, gap: Gap, far: bool, distance: f64) -> Option<Place> {
+        let (place, _) = self.place_with_scale(gap, far, distance)?;
+        Some(place)
+    }
+
+    /// The same with one over the length of the stretch there.
+    #[inline(always)]
+    fn place_with_scale(&self, gap: Gap, far: bool, distance: f64) -> Option<(Place, f64)> {
         let x = gap.ln();
         // Not NaN.
         if !(x >= self.ends[0] && x <= self.ends[1]) {
@@ -193,11 +202,26 @@ impl Tabulated {
         };
         // From above: there is where encounters are.
         let span = spans.iter().find(|span| x >= span.low).or(spans.last())?;
-        Some(Place::new(
-            span.index,
-            (x - span.low) * span.scale,
-            span.usual,
-        ))
+        let place = Place::new(span.index, (x - span.low) * span.scale, span.usual);
+        Some((place, span.scale))
+    }
+
+    /// The derivatives of all coefficients of equal radii at a place, times a factor.
+    fn slope(
+        &self,
+        place: &Place<true>,
+        set: MobilitySet,
+        factor: f64,
+    ) -> Result<Mobility, SceneError> {
+        let (mut read, mut slope) = (Mobility::default(), Mobility::default());
+        let Mobility { pair, modes, swirl } = &mut read;
+        let columns = &self.columns;
+        (columns.read(place, set, pair, modes)).ok_or_else(|| self.refused(set.loads))?;
+        for (n, of_mode) in swirl.iter_mut().enumerate().take(set.loads.swirl) {
+            *of_mode = (columns.swirl(place, n)).ok_or_else(|| self.refused(set.loads))?;
+        }
+        slope.add(factor, &read);
+        Ok(slope)
     }
 
     /// What is tabulated at a place, which may be `far`, made into the coefficients at `gap`.
@@ -331,6 +355,45 @@ impl Hydrodynamics for Tabulated {
             shrink_of_each(&mut mobility, set, gap, distance);
         }
         Ok(mobility)
+    }
+
+    fn interacting_mobility_with_slope(
+        &self,
+        gap: Gap,
+        set: MobilitySet,
+    ) -> Result<[MobilityOfEach; 2], SceneError> {
+        let unlike = are_unlike(self.ratio);
+        let (far, distance) = (gap.eps() > self.far_gap, gap.distance_at_ratio(self.ratio));
+        let Some((place, per_coordinate)) = self.place_with_scale(gap, far, distance) else {
+            return self.model.interacting_mobility_with_slope(gap, set);
+        };
+        // By ln eps: d(1/r) = -eps/r^2 d(ln eps).
+        let factor = if far {
+            -gap.eps() / (distance * distance)
+        } else {
+            1.0
+        };
+        let slopes = place.of_slopes();
+        if unlike {
+            let value = self.interacting_mobility_of_each(gap, set)?;
+            let read = self.of_each.read(&slopes, set);
+            let mut slope = MobilityOfEach::default();
+            slope.add(
+                per_coordinate * factor,
+                &read.ok_or_else(|| self.refused(set.loads))?,
+            );
+            if far {
+                shrink_slopes_of_each(&value, &mut slope, set, gap, distance);
+            }
+            return Ok([value, slope]);
+        }
+        let value = self.interacting_mobilities(gap, set)?;
+        let slope = self.slope(&slopes, set, per_coordinate * factor)?;
+        let [value, mut slope] = [value, slope].map(|of| MobilityOfEach::of_equal(&of));
+        if far {
+            shrink_slopes_of_each(&value, &mut slope, set, gap, distance);
+        }
+        Ok([value, slope])
     }
 
     /// The model's own, of its loads.

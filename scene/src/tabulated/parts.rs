@@ -83,9 +83,10 @@ pub(super) struct Parts<const PAIRS: usize> {
     finer: Vec<(usize, u32)>,
 }
 
-/// A place in a table whose stretches have as many parts as most columns have.
+/// A place in a table whose stretches have as many parts as most columns have. With `SLOPE` the derivatives by the place on the stretch are read
+/// there instead of the values.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
+pub(super) struct Place<const SLOPE: bool = false> {
     /// Index of the stretch.
     stretch: usize,
     /// The place there, from 0 to 1.
@@ -94,6 +95,8 @@ pub(super) struct Place {
     part: usize,
     /// The place there, from -1 to 1.
     u: f64,
+    /// Number of parts of the stretch.
+    count: u32,
 }
 
 impl Place {
@@ -108,6 +111,25 @@ impl Place {
             x,
             part: first + part as usize,
             u: 2.0 * (place - f64::from(part)) - 1.0,
+            count,
+        }
+    }
+
+    /// The same place, where derivatives are read.
+    pub fn of_slopes(self) -> Place<true> {
+        let Self {
+            stretch,
+            x,
+            part,
+            u,
+            count,
+        } = self;
+        Place {
+            stretch,
+            x,
+            part,
+            u,
+            count,
         }
     }
 }
@@ -140,21 +162,36 @@ impl<const PAIRS: usize> Parts<PAIRS> {
         Some(Self { parts, finer })
     }
 
-    /// The first `N` pairs of columns at a place, if they are tabulated. The number is a constant so that the sums stay in registers
-    /// over all powers.
+    /// The first `N` pairs of columns at a place, if they are tabulated: their values, or their derivatives where the place asks for these. The number is
+    /// a constant so that the sums stay in registers over all powers.
     #[inline(always)]
-    pub fn at<const N: usize>(&self, place: &Place) -> Option<[[f64; 2]; N]> {
+    pub fn at<const N: usize, const SLOPE: bool>(
+        &self,
+        place: &Place<SLOPE>,
+    ) -> Option<[[f64; 2]; N]> {
         const { assert!(N <= PAIRS, "more columns than there are") };
-        let (part, u) = match &self.finer[..] {
-            [] => (place.part, place.u),
+        let (part, u, count) = match &self.finer[..] {
+            [] => (place.part, place.u, place.count),
             finer => {
                 let own = Place::new(0, place.x, *finer.get(place.stretch)?);
-                (own.part, own.u)
+                (own.part, own.u, own.count)
             }
         };
         let u = f64x2::splat(u);
         let [first, others @ ..] = self.parts.get(part)?;
         let mut sums: [f64x2; N] = std::array::from_fn(|pair| first[pair]);
+        if SLOPE {
+            // By Horner's rule too; `u` is two on a part.
+            let mut slopes = [f64x2::ZERO; N];
+            for row in others {
+                for ((slope, sum), c) in slopes.iter_mut().zip(&mut sums).zip(row) {
+                    *slope = *slope * u + *sum;
+                    *sum = *sum * u + *c;
+                }
+            }
+            let parts = f64x2::splat(2.0 * f64::from(count));
+            return Some(slopes.map(|slope| (slope * parts).to_array()));
+        }
         for row in others {
             for (sum, c) in sums.iter_mut().zip(row) {
                 *sum = *sum * u + *c;
@@ -247,7 +284,7 @@ mod tests {
         }
         let nowhere = Place::new(2, 0.5, (2, 1));
         assert_eq!(
-            [of(1).at::<1>(&nowhere), of(8).at::<1>(&nowhere)],
+            [of(1).at::<1, false>(&nowhere), of(8).at(&nowhere)],
             [None; 2]
         );
         assert!(

@@ -15,6 +15,7 @@ impl<const N: usize> Runner<'_, '_, N> {
     /// Flies freely to the next contact at the gap `cut`, or to the end.
     pub(super) fn fly(&mut self, cut: Gap) -> Result<Flown, SceneError> {
         self.counters.flights += 1;
+        self.begin_phase(true);
         let squirmers = self.motion.squirmers();
         let [one, two] = self.start.radii;
         let flight = PairFlight::new(squirmers, self.motion.gravity(), self.now);

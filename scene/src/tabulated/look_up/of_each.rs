@@ -1,11 +1,11 @@
 //! Tabulated columns of unlike radii as they are read.
 
 use super::{across, laid_out, put};
-use crate::Gap;
 use crate::mobility::{MobilityOfEach, MobilitySet, ModeMobility, SwirlMobility, Twist};
 use crate::tabulated::build::Tabulation;
 use crate::tabulated::columns::{BASE_MODES, Group};
 use crate::tabulated::parts::{Parts, Place};
+use crate::{Gap, LoadSet};
 
 /// What is tabulated of unlike radii, in pairs of columns: first those by the causes of squirmer 1, then of squirmer 2.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -36,8 +36,12 @@ impl ColumnsOfEach {
         }
     }
 
-    /// The coefficients of `set`; none if one is not tabulated.
-    pub fn read(&self, place: &Place, set: MobilitySet) -> Option<MobilityOfEach> {
+    /// The coefficients of `set`, or their derivatives; none if one is not tabulated.
+    pub fn read<const SLOPE: bool>(
+        &self,
+        place: &Place<SLOPE>,
+        set: MobilitySet,
+    ) -> Option<MobilityOfEach> {
         let mut mobility = MobilityOfEach::default();
         let [first, second] = &mut mobility.by;
         let ([one, two, ..], [three, four, ..]) = (&mut first.modes, &mut second.modes);
@@ -112,6 +116,30 @@ pub(in crate::tabulated) fn shrink_of_each(
         );
         for swirl in &mut by.swirl[..set.loads.swirl] {
             swirl.across.turning /= distance;
+        }
+    }
+}
+
+/// [`shrink_slopes`](super::shrink_slopes) of what is tabulated of unlike radii.
+pub(in crate::tabulated) fn shrink_slopes_of_each(
+    mobility: &MobilityOfEach,
+    slopes: &mut MobilityOfEach,
+    set: MobilitySet,
+    gap: Gap,
+    distance: f64,
+) {
+    let by_distance = gap.eps() / distance;
+    let LoadSet { modes, swirl, .. } = set.loads;
+    for (by, slope) in mobility.by.iter().zip(&mut slopes.by) {
+        super::shrink_slopes(
+            gap,
+            distance,
+            (&by.pair, &by.modes[..modes]),
+            (&mut slope.pair, &mut slope.modes[..modes]),
+        );
+        for (of_mode, slope) in by.swirl[..swirl].iter().zip(&mut slope.swirl) {
+            slope.across.turning =
+                slope.across.turning / distance - by_distance * of_mode.across.turning;
         }
     }
 }

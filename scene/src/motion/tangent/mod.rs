@@ -1,0 +1,12 @@
+//! The linearised motion beside a run: how the end of a run changes with its start and with the numbers of its scene, to first order.
+//!
+//! A run in three dimensions says of which phases it consists. Each is integrated again together with its linearisation (`linearised.rs`), contacts under
+//! the run's model and flights without interaction; where one gives way to the next at the cut of a model, the time at which that happens
+//! changes too, and with it the state (saltation).
+
+mod linearised;
+mod perturbation;
+mod run;
+
+pub use perturbation::{Perturbation, Variation};
+pub use run::{TangentRun, run_with_tangents};
