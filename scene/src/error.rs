@@ -60,6 +60,9 @@ pub enum SceneError {
         /// The ratio asked for.
         asked: f64,
     },
+    /// A change of the radii where only models of one ratio are at hand.
+    #[error("how the motion changes with the radii is not known from a model of one ratio of them")]
+    NoRatios,
     /// Centres so far apart that squares of their distance are no numbers.
     #[error("centres {distance:?} radii apart are not allowed: at most {allowed:?}")]
     TooFar {

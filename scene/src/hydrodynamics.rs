@@ -236,19 +236,28 @@ pub trait Hydrodynamics: Send + Sync {
         gap: Gap,
         set: MobilitySet,
     ) -> Result<[MobilityOfEach; 2], SceneError> {
-        let at = |gap: Gap| {
-            if self.has_unlike_radii() {
-                return self.interacting_mobility_of_each(gap, set);
-            }
-            Ok(MobilityOfEach::of_equal(
-                &self.interacting_mobilities(gap, set)?,
-            ))
-        };
         let mut slope = MobilityOfEach::default();
         for (offset, weight) in central_difference(STEP) {
-            slope.add(weight, &at(Gap::from_ln(gap.ln() + offset))?);
+            let beside = Gap::from_ln(gap.ln() + offset);
+            slope.add(weight, &self.interacting_mobility_of_any(beside, set)?);
         }
-        Ok([at(gap)?, slope])
+        Ok([self.interacting_mobility_of_any(gap, set)?, slope])
+    }
+
+    /// How each cause of either squirmer moves the pair at `gap`, whether its radii are alike or not.
+    ///
+    /// # Errors
+    /// As [`Self::interacting_loads`].
+    fn interacting_mobility_of_any(
+        &self,
+        gap: Gap,
+        set: MobilitySet,
+    ) -> Result<MobilityOfEach, SceneError> {
+        if self.has_unlike_radii() {
+            return self.interacting_mobility_of_each(gap, set);
+        }
+        let alike = self.interacting_mobilities(gap, set)?;
+        Ok(MobilityOfEach::of_equal(&alike))
     }
 
     /// Refuses to take the loads of sphere 1 for those of both.

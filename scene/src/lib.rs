@@ -52,7 +52,7 @@ pub use loads::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
 pub use motion::{
     BoundState, Counters, Outcome, Perturbation, Run, RunOptions, Sample, TangentRun, Variation,
     bound_states, far_drift, rates, rates_monomorphic, run, run_monomorphic, run_observed,
-    run_plan, run_with_tangents,
+    run_plan, run_with_tangents, run_with_tangents_by_ratio,
 };
 pub use plan::{NeededLoads, Plan, PlanRow, State, SymmetryClass};
 pub use ratio::{RATIOS, are_unlike};

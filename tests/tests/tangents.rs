@@ -5,12 +5,13 @@
 use std::f64::consts::TAU;
 
 use compare::{Method, Model, ModelOptions};
+use lt::{Form, UnlikeLubrication};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 use scene::{
     Configuration, Gravity, Hydrodynamics, Isolated, LoadSet, Orientation, Outcome, Perturbation,
     Plan, Pose, Repulsion, Run, RunOptions, Scene, SceneError, Squirmer, TangentRun, Variation,
-    rates, run, run_with_tangents,
+    rates, run, run_with_tangents, run_with_tangents_by_ratio,
 };
 
 /// Numbers that look random, the same at each run: the golden ratio's multiples, shuffled (splitmix64).
@@ -323,6 +324,52 @@ fn tangents_keep_the_symmetries_of_the_motion() {
                     assert!(off < 1e-9, "{what}, direction {i}: {off:e}");
                 }
             }
+        });
+    }
+}
+
+/// Lubrication theory of any ratio of the radii.
+fn lubrication(ratio: f64) -> UnlikeLubrication {
+    UnlikeLubrication::new(Form::Corrected, ratio).unwrap()
+}
+
+#[test]
+fn val_tangents_by_the_ratio_of_the_radii_are_differences_of_models() {
+    let acts = |radius: f64| Acts {
+        swirl: false,
+        gravity: true,
+        radius,
+    };
+    for radius in [0.5, 2.0] {
+        let beside = [-0.02, -0.01, 0.01, 0.02].map(|part| lubrication(radius * (1.0 + part)));
+        let beside = beside.each_ref().map(|of| of as &dyn Hydrodynamics);
+        let model = lubrication(radius);
+        (0..10).into_par_iter().for_each(|seed| {
+            let of = Numbers::random(&mut Random(seed), acts(radius));
+            let scene = |h: f64| of.scene(&of, 0.0, acts(radius * (1.0 + h)));
+            let direction = Perturbation::along::<SceneError>(scene, 1e-2).unwrap();
+            assert!((direction.ratio - radius).abs() < 1e-12);
+            let start = scene(0.0).unwrap();
+            let refused = run_with_tangents(&start, &model, &TIGHT, &[direction]);
+            assert_eq!(refused, Err(SceneError::NoRatios));
+            let tangents =
+                run_with_tangents_by_ratio(&start, (&model, &beside), &TIGHT, &[direction])
+                    .unwrap();
+            let derivative = numbers(&tangents, 0);
+            let size = derivative.iter().fold(1.0, |m: f64, d| m.max(d.abs()));
+            let at = |h: f64| {
+                let model = lubrication(radius * (1.0 + h));
+                end(&run(&scene(h).unwrap(), &model, &TIGHT).unwrap())
+            };
+            let (differences, known) = extrapolated(at, 0.02 / size);
+            let error = (derivative.iter().zip(&differences))
+                .fold(0.0, |e: f64, (a, b)| e.max((a - b).abs()));
+            assert!(known < 1e-6 * size, "scene {seed}: {known:e}");
+            assert!(
+                error < 1e-6 * size,
+                "ratio {radius}, scene {seed}: {:e}",
+                error / size
+            );
         });
     }
 }

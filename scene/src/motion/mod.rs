@@ -26,4 +26,6 @@ pub use outcome::Outcome;
 pub use rates::{rates, rates_monomorphic};
 pub use result::{Counters, Run, RunOptions, Sample};
 pub use run::{run, run_monomorphic, run_observed, run_plan};
-pub use tangent::{Perturbation, TangentRun, Variation, run_with_tangents};
+pub use tangent::{
+    Perturbation, TangentRun, Variation, run_with_tangents, run_with_tangents_by_ratio,
+};

@@ -22,6 +22,8 @@ pub(super) struct Linearised<'a> {
     pub repulsion: Option<Repulsion>,
     pub gravity: Option<Gravity>,
     pub directions: &'a [Perturbation],
+    /// Models of radii in other ratios with their weights: the weighted sum of their coefficients and the model's own is the derivative by the ratio.
+    pub by_ratio: &'a [(f64, &'a dyn Hydrodynamics)],
     /// Why the last right-hand side could not be computed, if it could not.
     pub failure: Option<SceneError>,
 }
@@ -250,6 +252,7 @@ impl Linearised<'_> {
             return Ok(());
         }
         let by_ln_gap = by(&slope);
+        let by_ratio = self.slope_by_ratio(gap)?.map(|slope| by(&slope));
         let blocks = y[NUMBERS..].chunks_exact(NUMBERS);
         let rates = dy[NUMBERS..].chunks_exact_mut(NUMBERS);
         for ((direction, block), into) in self.directions.iter().zip(blocks).zip(rates) {
@@ -270,10 +273,25 @@ impl Linearised<'_> {
             });
             let driven = self.driven_change(gap, (&at, &change), direction);
             let changed = Velocity::by(&mobility, slip, swirl, &driven);
-            let changed = changed.and(change.ln_gap, &by_ln_gap);
+            let mut changed = changed.and(change.ln_gap, &by_ln_gap);
+            if let Some(by_ratio) = &by_ratio {
+                changed = changed.and(direction.ratio, by_ratio);
+            }
             velocity.rates_of_change(&at, (&change, &changed), into);
         }
         Ok(())
+    }
+
+    /// The derivative of the coefficients by the ratio of the radii, at a fixed gap; none if it is not asked for.
+    fn slope_by_ratio(&self, gap: Gap) -> Result<Option<MobilityOfEach>, SceneError> {
+        if self.by_ratio.is_empty() || self.directions.iter().all(|of| of.ratio == 0.0) {
+            return Ok(None);
+        }
+        let mut slope = MobilityOfEach::default();
+        for (weight, model) in self.by_ratio {
+            slope.add(*weight, &model.interacting_mobility_of_any(gap, self.set)?);
+        }
+        Ok(Some(slope))
     }
 
     /// The strengths of the squirming modes that are read.

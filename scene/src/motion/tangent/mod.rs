@@ -9,4 +9,4 @@ mod perturbation;
 mod run;
 
 pub use perturbation::{Perturbation, Variation};
-pub use run::{TangentRun, run_with_tangents};
+pub use run::{TangentRun, run_with_tangents, run_with_tangents_by_ratio};
