@@ -225,7 +225,7 @@ pub trait Hydrodynamics: Send + Sync {
         Ok(balance::of_each(gap, self.description().ratio, &loads, set))
     }
 
-    /// How each cause of either squirmer moves the pair at `gap`, of spheres of any radii that interact, and how that changes with
+    /// Fills in how each cause of either squirmer moves the pair at `gap`, of spheres of any radii that interact, and how that changes with
     /// `ln eps`: what the linearised motion reads. By default the change is a difference of order 8 of the coefficients themselves, good to about 1e-13 of
     /// them where a model is smooth; a table gives the derivative of its polynomials.
     ///
@@ -235,16 +235,20 @@ pub trait Hydrodynamics: Send + Sync {
         &self,
         gap: Gap,
         set: MobilitySet,
-    ) -> Result<[MobilityOfEach; 2], SceneError> {
-        let mut slope = MobilityOfEach::default();
+        into: [&mut MobilityOfEach; 2],
+    ) -> Result<(), SceneError> {
+        let [value, slope] = into;
+        *slope = MobilityOfEach::default();
+        let mut beside = MobilityOfEach::default();
         for (offset, weight) in central_difference(STEP) {
-            let beside = Gap::from_ln(gap.ln() + offset);
-            slope.add(weight, &self.interacting_mobility_of_any(beside, set)?);
+            let gap = Gap::from_ln(gap.ln() + offset);
+            self.interacting_mobility_of_any(gap, set, &mut beside)?;
+            slope.add(weight, &beside, set);
         }
-        Ok([self.interacting_mobility_of_any(gap, set)?, slope])
+        self.interacting_mobility_of_any(gap, set, value)
     }
 
-    /// How each cause of either squirmer moves the pair at `gap`, whether its radii are alike or not.
+    /// Fills in how each cause of either squirmer moves the pair at `gap`, whether its radii are alike or not.
     ///
     /// # Errors
     /// As [`Self::interacting_loads`].
@@ -252,12 +256,20 @@ pub trait Hydrodynamics: Send + Sync {
         &self,
         gap: Gap,
         set: MobilitySet,
-    ) -> Result<MobilityOfEach, SceneError> {
+        into: &mut MobilityOfEach,
+    ) -> Result<(), SceneError> {
         if self.has_unlike_radii() {
-            return self.interacting_mobility_of_each(gap, set);
+            *into = self.interacting_mobility_of_each(gap, set)?;
+            return Ok(());
         }
-        let alike = self.interacting_mobilities(gap, set)?;
-        Ok(MobilityOfEach::of_equal(&alike))
+        let Mobility { pair, modes, swirl } = &mut into.by[0];
+        if set.loads.swirl > 0 {
+            self.interacting_mobility_with_swirl(gap, set, (pair, modes), swirl)?;
+        } else {
+            self.interacting_mobility(gap, set, (pair, modes))?;
+        }
+        into.take_out_of_sums(set);
+        Ok(())
     }
 
     /// Refuses to take the loads of sphere 1 for those of both.

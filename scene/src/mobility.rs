@@ -117,29 +117,11 @@ impl Across {
         self.turning += weight * other.turning;
         self.mean_spin += weight * other.mean_spin;
     }
-
-    /// By the cause of squirmer 2 alone, where it is of a sum over the two that moves them alike and of the difference that moves them oppositely.
-    fn of_second(self) -> Self {
-        Self {
-            turning: -self.turning,
-            mean_spin: -self.mean_spin,
-            ..self
-        }
-    }
-
-    /// The same where the difference moves them alike and the sum oppositely.
-    fn of_second_turned(self) -> Self {
-        Self {
-            mean_transverse: -self.mean_transverse,
-            counter_spin: -self.counter_spin,
-            ..self
-        }
-    }
 }
 
 impl Mobility {
-    /// Adds `weight` times another one.
-    pub(crate) fn add(&mut self, weight: f64, other: &Self) {
+    /// Adds `weight` times the coefficients of `set` of another one.
+    fn add(&mut self, weight: f64, other: &Self, set: MobilitySet) {
         let twist = |of: &mut Twist, other: &Twist| {
             of.mean += weight * other.mean;
             of.half_difference += weight * other.half_difference;
@@ -147,12 +129,14 @@ impl Mobility {
         self.pair.repulsion += weight * other.pair.repulsion;
         self.pair.torque.add(weight, &other.pair.torque);
         twist(&mut self.pair.twist, &other.pair.twist);
-        for (of, other) in self.modes.iter_mut().zip(&other.modes) {
+        let modes = self.modes.iter_mut().zip(&other.modes);
+        for (of, other) in modes.take(set.loads.modes) {
             of.opening += weight * other.opening;
             of.mean_axial += weight * other.mean_axial;
             of.across.add(weight, &other.across);
         }
-        for (of, other) in self.swirl.iter_mut().zip(&other.swirl) {
+        let swirl = self.swirl.iter_mut().zip(&other.swirl);
+        for (of, other) in swirl.take(set.loads.swirl) {
             twist(&mut of.twist, &other.twist);
             of.across.add(weight, &other.across);
         }

@@ -1,6 +1,9 @@
 //! Motion of a pair of unlike radii: each squirmer's causes have coefficients of their own.
 
-use super::{Across, External, Heading, Mobility, MobilitySet, PairVelocity, Transverse};
+use super::{
+    Across, External, Heading, Mobility, MobilitySet, ModeMobility, PairVelocity, SwirlMobility,
+    Transverse, Twist,
+};
 use crate::{Squirmer, legendre};
 
 /// The coefficients of a pair of unlike radii at one gap. Where the two are equal, those of squirmer 1 and 2 follow from sums and
@@ -15,31 +18,51 @@ pub struct MobilityOfEach {
 }
 
 impl MobilityOfEach {
-    /// Of equal radii: the causes of squirmer 1 and 2 taken out of their sums and differences.
-    #[must_use]
-    pub fn of_equal(alike: &Mobility) -> Self {
-        let mut second = alike.clone();
+    /// Fills in the coefficients of `set` by the causes of squirmer 2 where those of squirmer 1 are the coefficients of equal radii, by sums and differences of
+    /// causes. A cause that moves the two alike as a sum, or oppositely as a difference, has the sign of its place in it.
+    pub(crate) fn take_out_of_sums(&mut self, set: MobilitySet) {
+        let [first, second] = &mut self.by;
+        let by_difference = |of: &Across| Across {
+            turning: -of.turning,
+            mean_spin: -of.mean_spin,
+            ..*of
+        };
+        let by_sum = |of: &Across| Across {
+            mean_transverse: -of.mean_transverse,
+            counter_spin: -of.counter_spin,
+            ..*of
+        };
+        self.mean_axial_by_repulsion = 0.0;
         second.pair.repulsion = 0.0;
-        second.pair.torque = alike.pair.torque.of_second_turned();
-        second.pair.twist.half_difference = -alike.pair.twist.half_difference;
-        for mode in &mut second.modes {
-            mode.mean_axial = -mode.mean_axial;
-            mode.across = mode.across.of_second();
+        second.pair.torque = by_sum(&first.pair.torque);
+        second.pair.twist = Twist {
+            half_difference: -first.pair.twist.half_difference,
+            ..first.pair.twist
+        };
+        let modes = first.modes.iter().zip(&mut second.modes);
+        for (of, second) in modes.take(set.loads.modes) {
+            *second = ModeMobility {
+                opening: of.opening,
+                mean_axial: -of.mean_axial,
+                across: by_difference(&of.across),
+            };
         }
-        for swirl in &mut second.swirl {
-            swirl.twist.mean = -swirl.twist.mean;
-            swirl.across = swirl.across.of_second_turned();
-        }
-        Self {
-            by: [alike.clone(), second],
-            mean_axial_by_repulsion: 0.0,
+        let swirl = first.swirl.iter().zip(&mut second.swirl);
+        for (of, second) in swirl.take(set.loads.swirl) {
+            *second = SwirlMobility {
+                twist: Twist {
+                    mean: -of.twist.mean,
+                    ..of.twist
+                },
+                across: by_sum(&of.across),
+            };
         }
     }
 
-    /// Adds `weight` times another one.
-    pub(crate) fn add(&mut self, weight: f64, other: &Self) {
+    /// Adds `weight` times the coefficients of `set` of another one.
+    pub(crate) fn add(&mut self, weight: f64, other: &Self, set: MobilitySet) {
         for (of, other) in self.by.iter_mut().zip(&other.by) {
-            of.add(weight, other);
+            of.add(weight, other, set);
         }
         self.mean_axial_by_repulsion += weight * other.mean_axial_by_repulsion;
     }

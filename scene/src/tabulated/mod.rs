@@ -206,22 +206,23 @@ impl Tabulated {
         Some((place, span.scale))
     }
 
-    /// The derivatives of all coefficients of equal radii at a place, times a factor.
-    fn slope(
+    /// The derivatives of all coefficients of equal radii at a place; none if one is not tabulated.
+    fn read_slopes(
         &self,
         place: &Place<true>,
         set: MobilitySet,
-        factor: f64,
-    ) -> Result<Mobility, SceneError> {
-        let (mut read, mut slope) = (Mobility::default(), Mobility::default());
-        let Mobility { pair, modes, swirl } = &mut read;
-        let columns = &self.columns;
-        (columns.read(place, set, pair, modes)).ok_or_else(|| self.refused(set.loads))?;
-        for (n, of_mode) in swirl.iter_mut().enumerate().take(set.loads.swirl) {
-            *of_mode = (columns.swirl(place, n)).ok_or_else(|| self.refused(set.loads))?;
+        into: &mut Mobility,
+    ) -> Option<()> {
+        let Mobility { pair, modes, swirl } = into;
+        let LoadSet {
+            modes: n, swirl: m, ..
+        } = set.loads;
+        self.columns
+            .read(place, set, pair, &mut modes[..n.max(BASE_MODES)])?;
+        for (n, of_mode) in swirl.iter_mut().enumerate().take(m) {
+            *of_mode = self.columns.swirl(place, n)?;
         }
-        slope.add(factor, &read);
-        Ok(slope)
+        Some(())
     }
 
     /// What is tabulated at a place, which may be `far`, made into the coefficients at `gap`.
@@ -361,39 +362,34 @@ impl Hydrodynamics for Tabulated {
         &self,
         gap: Gap,
         set: MobilitySet,
-    ) -> Result<[MobilityOfEach; 2], SceneError> {
-        let unlike = are_unlike(self.ratio);
-        let (far, distance) = (gap.eps() > self.far_gap, gap.distance_at_ratio(self.ratio));
-        let Some((place, per_coordinate)) = self.place_with_scale(gap, far, distance) else {
-            return self.model.interacting_mobility_with_slope(gap, set);
+        into: [&mut MobilityOfEach; 2],
+    ) -> Result<(), SceneError> {
+        let far = gap.eps() > self.far_gap;
+        let distance = gap.distance_at_ratio(self.ratio);
+        let Some((place, scale)) = self.place_with_scale(gap, far, distance) else {
+            return self.model.interacting_mobility_with_slope(gap, set, into);
         };
         // By ln eps: d(1/r) = -eps/r^2 d(ln eps).
-        let factor = if far {
+        let by_coordinate = if far {
             -gap.eps() / (distance * distance)
         } else {
             1.0
         };
-        let slopes = place.of_slopes();
-        if unlike {
-            let value = self.interacting_mobility_of_each(gap, set)?;
+        let slopes = place.of_slopes(scale * by_coordinate);
+        let [value, slope] = into;
+        self.interacting_mobility_of_any(gap, set, value)?;
+        if are_unlike(self.ratio) {
             let read = self.of_each.read(&slopes, set);
-            let mut slope = MobilityOfEach::default();
-            slope.add(
-                per_coordinate * factor,
-                &read.ok_or_else(|| self.refused(set.loads))?,
-            );
-            if far {
-                shrink_slopes_of_each(&value, &mut slope, set, gap, distance);
-            }
-            return Ok([value, slope]);
+            *slope = read.ok_or_else(|| self.refused(set.loads))?;
+        } else {
+            self.read_slopes(&slopes, set, &mut slope.by[0])
+                .ok_or_else(|| self.refused(set.loads))?;
+            slope.take_out_of_sums(set);
         }
-        let value = self.interacting_mobilities(gap, set)?;
-        let slope = self.slope(&slopes, set, per_coordinate * factor)?;
-        let [value, mut slope] = [value, slope].map(|of| MobilityOfEach::of_equal(&of));
         if far {
-            shrink_slopes_of_each(&value, &mut slope, set, gap, distance);
+            shrink_slopes_of_each(value, slope, set, gap, distance);
         }
-        Ok([value, slope])
+        Ok(())
     }
 
     /// The model's own, of its loads.

@@ -97,6 +97,8 @@ pub(super) struct Place<const SLOPE: bool = false> {
     u: f64,
     /// Number of parts of the stretch.
     count: u32,
+    /// What a derivative is multiplied by.
+    factor: f64,
 }
 
 impl Place {
@@ -112,17 +114,19 @@ impl Place {
             part: first + part as usize,
             u: 2.0 * (place - f64::from(part)) - 1.0,
             count,
+            factor: 1.0,
         }
     }
 
-    /// The same place, where derivatives are read.
-    pub fn of_slopes(self) -> Place<true> {
+    /// The same place, where derivatives times a factor are read.
+    pub fn of_slopes(self, factor: f64) -> Place<true> {
         let Self {
             stretch,
             x,
             part,
             u,
             count,
+            ..
         } = self;
         Place {
             stretch,
@@ -130,6 +134,7 @@ impl Place {
             part,
             u,
             count,
+            factor,
         }
     }
 }
@@ -189,8 +194,8 @@ impl<const PAIRS: usize> Parts<PAIRS> {
                     *sum = *sum * u + *c;
                 }
             }
-            let parts = f64x2::splat(2.0 * f64::from(count));
-            return Some(slopes.map(|slope| (slope * parts).to_array()));
+            let factor = f64x2::splat(2.0 * f64::from(count) * place.factor);
+            return Some(slopes.map(|slope| (slope * factor).to_array()));
         }
         for row in others {
             for (sum, c) in sums.iter_mut().zip(row) {

@@ -9,7 +9,8 @@ use nalgebra::Vector3;
 use super::perturbation::{NUMBERS, Perturbation};
 use crate::legendre::legendre_with_slope;
 use crate::mobility::{
-    External, Heading, MobilityOfEach, MobilitySet, PairVelocity, Slip, add_swirl_by, velocity_by,
+    Across, External, Heading, Mobility, MobilityOfEach, MobilitySet, PairVelocity, Slip,
+    add_swirl_by, velocity_by,
 };
 use crate::ode::System;
 use crate::{Gap, Gravity, Hydrodynamics, Legendre, MAX_MODES, Repulsion, SceneError, Squirmer};
@@ -22,8 +23,12 @@ pub(super) struct Linearised<'a> {
     pub repulsion: Option<Repulsion>,
     pub gravity: Option<Gravity>,
     pub directions: &'a [Perturbation],
+    /// Whether each of them changes a slip mode.
+    pub changes_slip: Vec<bool>,
     /// Models of radii in other ratios with their weights: the weighted sum of their coefficients and the model's own is the derivative by the ratio.
     pub by_ratio: &'a [(f64, &'a dyn Hydrodynamics)],
+    /// The coefficients at the gap of the last right-hand side, their derivatives by `ln eps`, and those by the ratio.
+    pub read: Box<[MobilityOfEach; 3]>,
     /// Why the last right-hand side could not be computed, if it could not.
     pub failure: Option<SceneError>,
 }
@@ -75,6 +80,16 @@ struct Driven {
     external: External<Vector3<f64>>,
     /// Torques about it.
     about: [f64; 2],
+}
+
+impl Driven {
+    const NOTHING: Self = Self {
+        external: External {
+            repulsion: 0.0,
+            torque: None,
+        },
+        about: [0.0; 2],
+    };
 }
 
 /// A velocity with the spins about the line of centres.
@@ -136,12 +151,17 @@ impl Velocity {
         let (moved, by) = change;
         let (v, dv) = (&self.pair, &by.pair);
         let (d, dd) = (&of.line, &moved.line);
+        // (d x w) x p = w (d.p) - d (w.p).
         let turned = [0, 1].map(|k| {
             let (p, dp) = (&of.orientations[k], &moved.orientations[k]);
-            (dd.cross(&v.spin[k]) + d.cross(&dv.spin[k])).cross(p)
-                + d.cross(&v.spin[k]).cross(dp)
-                + d.cross(p) * by.about[k]
-                + (dd.cross(p) + d.cross(dp)) * self.about[k]
+            let (w, dw) = (&v.spin[k], &dv.spin[k]);
+            let mut turned = dw * d.dot(p) + w * (dd.dot(p) + d.dot(dp))
+                - d * (dw.dot(p) + w.dot(dp))
+                - dd * w.dot(p);
+            if self.about[k] != 0.0 || by.about[k] != 0.0 {
+                turned += d.cross(p) * by.about[k] + (dd.cross(p) + d.cross(dp)) * self.about[k];
+            }
+            turned
         });
         let midpoint = dd * v.mean_axial + d * dv.mean_axial + dv.mean_transverse;
         store(into, [midpoint, dv.turning], dv.opening, turned);
@@ -197,20 +217,64 @@ impl OfEach {
             across: across * (b * order.w),
         })
     }
+}
 
-    /// How that changes, with the strengths, the cosine and the vector.
-    fn slip_change(
-        &self,
-        strengths: (&[f64], &[f64]),
-        across: [Vector3<f64>; 2],
-        cosine: f64,
-    ) -> impl Iterator<Item = Slip<Vector3<f64>>> {
-        let [across, change] = across;
-        let of_modes = (strengths.0.iter().zip(strengths.1)).zip(&self.orders);
-        of_modes.map(move |((b, db), (order, w_slope))| Slip {
-            along: db * order.p + b * order.derivative * cosine,
-            across: across * (db * order.w + b * w_slope * cosine) + change * (b * order.w),
-        })
+/// The parts of a velocity that are across the line of centres: mean velocity, turning, and the spin of each squirmer.
+type AcrossParts<T> = [T; 4];
+
+fn parts(of: &Across) -> AcrossParts<f64> {
+    [
+        of.mean_transverse,
+        of.turning,
+        of.mean_spin + of.counter_spin,
+        of.mean_spin - of.counter_spin,
+    ]
+}
+
+/// How the velocity of a pair answers to a change of one squirmer's heading: what all directions share.
+#[derive(Clone, Copy)]
+struct Response {
+    /// Opening, mean velocity along the line and both spins about it, by the cosine.
+    along: [f64; 4],
+    /// Parts across the line, by the cosine.
+    by_cosine: AcrossParts<Vector3<f64>>,
+    /// The same by the transverse heading, and by that turned by a quarter.
+    by_transverse: AcrossParts<f64>,
+    by_turned: AcrossParts<f64>,
+}
+
+impl Response {
+    /// Of a squirmer with these strengths of squirming and swirl modes.
+    fn new(of: &OfEach, by: &Mobility, squirming: &[f64], swirling: &[f64]) -> Self {
+        let (mut along, mut by_transverse, mut by_turned) = ([0.0; 4], [0.0; 4], [0.0; 4]);
+        let mut slopes = [[0.0; 4]; 2];
+        let add = |to: &mut AcrossParts<f64>, across: &Across, weight: f64| {
+            for (to, part) in to.iter_mut().zip(parts(across)) {
+                *to += weight * part;
+            }
+        };
+        for ((b, mode), (order, w_slope)) in squirming.iter().zip(&by.modes).zip(&of.orders) {
+            along[0] += b * order.derivative * mode.opening;
+            along[1] += b * order.derivative * mode.mean_axial;
+            add(&mut by_transverse, &mode.across, b * order.w);
+            add(&mut slopes[0], &mode.across, b * w_slope);
+        }
+        for ((c, mode), (order, w_slope)) in swirling.iter().zip(&by.swirl).zip(&of.orders) {
+            let about = c * order.derivative;
+            let [one, two] = mode.twist.spins(about, about);
+            along[2] += one;
+            along[3] += two;
+            add(&mut by_turned, &mode.across, c * order.w);
+            add(&mut slopes[1], &mode.across, c * w_slope);
+        }
+        Self {
+            along,
+            by_cosine: std::array::from_fn(|i| {
+                of.heading.transverse * slopes[0][i] + of.turned * slopes[1][i]
+            }),
+            by_transverse,
+            by_turned,
+        }
     }
 }
 
@@ -219,10 +283,29 @@ impl Linearised<'_> {
     ///
     /// # Errors
     /// The model's.
-    pub fn rates(&self, y: &[f64], dy: &mut [f64]) -> Result<(), SceneError> {
-        let (raw, gap) = (State::read(y), Gap::from_ln(y[6]));
+    pub fn rates(&mut self, y: &[f64], dy: &mut [f64]) -> Result<(), SceneError> {
+        let gap = Gap::from_ln(y[6]);
+        let [mobility, slope, by_ratio] = &mut *self.read;
+        (self.model).interacting_mobility_with_slope(gap, self.set, [mobility, slope])?;
+        let changes_ratio =
+            !self.by_ratio.is_empty() && self.directions.iter().any(|of| of.ratio != 0.0);
+        if changes_ratio {
+            *by_ratio = MobilityOfEach::default();
+            let mut beside = MobilityOfEach::default();
+            for (weight, model) in self.by_ratio {
+                model.interacting_mobility_of_any(gap, self.set, &mut beside)?;
+                by_ratio.add(*weight, &beside, self.set);
+            }
+        }
+        self.rates_by(gap, changes_ratio, y, dy);
+        Ok(())
+    }
+
+    /// The same by the coefficients that were read.
+    fn rates_by(&self, gap: Gap, changes_ratio: bool, y: &[f64], dy: &mut [f64]) {
+        let raw = State::read(y);
         let at = raw.normalized();
-        let [mobility, slope] = self.model.interacting_mobility_with_slope(gap, self.set)?;
+        let [mobility, slope, by_ratio] = &*self.read;
         let [one, two] = Heading::of_both(&at.line, at.orientations);
         let of_each = [OfEach::new(one, &at.line), OfEach::new(two, &at.line)];
         let strengths = [0, 1].map(|k| std::array::from_fn(|n| self.squirmers[k].mode(n)));
@@ -237,7 +320,7 @@ impl Linearised<'_> {
                 [0, 1].map(|k| of_each[k].slip(self.swirl(&swirling[k]), of_each[k].turned));
             Velocity::by(mobility, slip, swirl, &driven)
         };
-        let velocity = by(&mobility);
+        let velocity = by(mobility);
         // The lengths of the vectors are kept, whatever they are.
         velocity.rates(&at, dy);
         for (from, length) in [(3, raw.line.norm())]
@@ -248,50 +331,94 @@ impl Linearised<'_> {
                 *number *= length;
             }
         }
-        if self.directions.is_empty() {
-            return Ok(());
-        }
-        let by_ln_gap = by(&slope);
-        let by_ratio = self.slope_by_ratio(gap)?.map(|slope| by(&slope));
+        let by_ln_gap = by(slope);
+        let by_ratio = changes_ratio.then(|| by(by_ratio));
+        let repulsion = (self.repulsion).map_or([0.0; 3], |repulsion| repulsion.slopes(gap));
+        let responses = [0, 1].map(|k| {
+            let (squirming, swirling) = (self.read(&strengths[k]), self.swirl(&swirling[k]));
+            Response::new(&of_each[k], &mobility.by[k], squirming, swirling)
+        });
         let blocks = y[NUMBERS..].chunks_exact(NUMBERS);
         let rates = dy[NUMBERS..].chunks_exact_mut(NUMBERS);
-        for ((direction, block), into) in self.directions.iter().zip(blocks).zip(rates) {
+        let directions = self.directions.iter().zip(&self.changes_slip);
+        for (((direction, changes_slip), block), into) in directions.zip(blocks).zip(rates) {
             let change = State::read(block);
-            let headings = [0, 1].map(|k| heading_change(k, &at, &change));
-            let slip = [0, 1].map(|k| {
-                let of: &OfEach = &of_each[k];
-                let across = [of.heading.transverse, headings[k].transverse];
-                let strengths = (self.read(&strengths[k]), self.read(&direction.modes[k]));
-                of.slip_change(strengths, across, headings[k].cosine)
-            });
-            let swirl = [0, 1].map(|k| {
-                let of: &OfEach = &of_each[k];
-                let turned = change.line.cross(&of.heading.transverse)
-                    + at.line.cross(&headings[k].transverse);
-                let strengths = (self.swirl(&swirling[k]), self.swirl(&direction.swirl[k]));
-                of.slip_change(strengths, [of.turned, turned], headings[k].cosine)
-            });
-            let driven = self.driven_change(gap, (&at, &change), direction);
-            let changed = Velocity::by(&mobility, slip, swirl, &driven);
-            let mut changed = changed.and(change.ln_gap, &by_ln_gap);
+            let mut changed =
+                self.answer(mobility, repulsion, (&at, &change), (&responses, direction));
+            if *changes_slip {
+                let slip = [0, 1].map(|k| {
+                    let of: &OfEach = &of_each[k];
+                    of.slip(self.read(&direction.modes[k]), of.heading.transverse)
+                });
+                let swirl = [0, 1].map(|k| {
+                    let of: &OfEach = &of_each[k];
+                    of.slip(self.swirl(&direction.swirl[k]), of.turned)
+                });
+                let by_slip = Velocity::by(mobility, slip, swirl, &Driven::NOTHING);
+                changed = changed.and(1.0, &by_slip);
+            }
+            changed = changed.and(change.ln_gap, &by_ln_gap);
             if let Some(by_ratio) = &by_ratio {
                 changed = changed.and(direction.ratio, by_ratio);
             }
             velocity.rates_of_change(&at, (&change, &changed), into);
         }
-        Ok(())
     }
 
-    /// The derivative of the coefficients by the ratio of the radii, at a fixed gap; none if it is not asked for.
-    fn slope_by_ratio(&self, gap: Gap) -> Result<Option<MobilityOfEach>, SceneError> {
-        if self.by_ratio.is_empty() || self.directions.iter().all(|of| of.ratio == 0.0) {
-            return Ok(None);
+    /// How the velocity answers to a change of the headings, of repulsion and of gravity.
+    #[inline]
+    fn answer(
+        &self,
+        mobility: &MobilityOfEach,
+        repulsion: [f64; 3],
+        (at, change): (&State, &State),
+        (responses, direction): (&[Response; 2], &Perturbation),
+    ) -> Velocity {
+        let mut along = [0.0; 4];
+        let mut across = [Vector3::zeros(); 4];
+        for (k, response) in responses.iter().enumerate() {
+            let heading = heading_change(k, at, change);
+            for (sum, by) in along.iter_mut().zip(response.along) {
+                *sum += by * heading.cosine;
+            }
+            for (i, sum) in across.iter_mut().enumerate() {
+                *sum += response.by_cosine[i] * heading.cosine
+                    + heading.transverse * response.by_transverse[i];
+            }
+            if self.set.loads.swirl > 0 {
+                let turned = change.line.cross(&(at.orientations[k]))
+                    + at.line.cross(&change.orientations[k]);
+                for (sum, by) in across.iter_mut().zip(response.by_turned) {
+                    *sum += turned * by;
+                }
+            }
         }
-        let mut slope = MobilityOfEach::default();
-        for (weight, model) in self.by_ratio {
-            slope.add(*weight, &model.interacting_mobility_of_any(gap, self.set)?);
+        let driven = self.driven_change(repulsion, (at, change), direction);
+        let force = driven.external.repulsion;
+        along[0] += mobility.by[0].pair.repulsion * force;
+        along[1] += mobility.mean_axial_by_repulsion * force;
+        for (k, torque) in driven.external.torque.into_iter().flatten().enumerate() {
+            let by = &mobility.by[k].pair;
+            for (sum, part) in across.iter_mut().zip(parts(&by.torque)) {
+                *sum += torque * part;
+            }
+            let about = driven.about[k];
+            let [one, two] = by.twist.spins(about, about);
+            along[2] += one;
+            along[3] += two;
         }
-        Ok(Some(slope))
+        let [opening, mean_axial, one, two] = along;
+        let [mean_transverse, turning, first, second] = across;
+        Velocity {
+            pair: PairVelocity {
+                opening,
+                mean_axial,
+                mean_transverse,
+                turning,
+                spin: [first, second],
+            },
+            about: [one, two],
+        }
     }
 
     /// The strengths of the squirming modes that are read.
@@ -320,15 +447,13 @@ impl Linearised<'_> {
         }
     }
 
-    /// How they change.
+    /// How they change; repulsion with `ln eps`, its strength and its decay.
     fn driven_change(
         &self,
-        gap: Gap,
+        [by_ln, by_strength, by_decay]: [f64; 3],
         (at, change): (&State, &State),
         direction: &Perturbation,
     ) -> Driven {
-        let [by_ln, by_strength, by_decay] =
-            (self.repulsion).map_or([0.0; 3], |repulsion| repulsion.slopes(gap));
         // The torque is -T p x g.
         let torques = self.gravity.map(|gravity| {
             let g = gravity.direction();

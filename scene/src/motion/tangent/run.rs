@@ -163,7 +163,11 @@ fn linearised<'a>(
         repulsion: plan.repulsion(),
         gravity: plan.gravity(),
         directions,
+        changes_slip: (directions.iter())
+            .map(|of| of.modes_changed() != [0; 2])
+            .collect(),
         by_ratio,
+        read: Box::default(),
         failure: None,
     }
 }
@@ -224,16 +228,18 @@ impl<'a> Path<'a> {
         }
         for (i, phase) in phases.iter().enumerate() {
             place(&mut y, &phase.start);
-            let end = phases.get(i + 1).map_or(run.end_time, |next| next.t);
-            y = self.integrated(phase.is_free, y, (phase.t, end))?;
-            if let Some(next) = phases.get(i + 1)
-                && next.is_free != phase.is_free
-            {
-                place(&mut y, &next.start);
+            let next = phases.get(i + 1);
+            let (t, end) = next.map_or((run.end_time, run.end), |next| (next.t, next.start));
+            if phase.is_free && self.plan.gravity().is_none() {
+                self.fly_straight(&mut y, (&phase.start, &end), t - phase.t);
+            } else {
+                y = self.integrated(phase.is_free, y, (phase.t, t))?;
+            }
+            place(&mut y, &end);
+            if next.is_some_and(|next| next.is_free != phase.is_free) {
                 self.cross(phase.is_free, &mut y)?;
             }
         }
-        place(&mut y, &run.end);
         let variations = decoded(directions, &y, &run.end);
         let goes_on = run.outcome == Outcome::Scattered
             && self.contact.model.cutoff().is_none()
@@ -256,6 +262,22 @@ impl<'a> Path<'a> {
             &mut self.flight
         } else {
             &mut self.contact
+        }
+    }
+
+    /// Lets the two fly straight for some time, from one configuration to another.
+    fn fly_straight(&self, y: &mut [f64], of: (&Configuration, &Configuration), time: f64) {
+        let (start, end) = of;
+        let blocks = y[NUMBERS..].chunks_exact_mut(NUMBERS);
+        for (direction, block) in self.flight.directions.iter().zip(blocks) {
+            let mut variation = Variation::decoded(block, direction.ratio, start);
+            for k in [0, 1] {
+                let speed = self.flight.squirmers[k].swimming_speed();
+                let faster = direction.modes[k][0] / 1.5;
+                let velocity = variation.orientations[k] * speed + start.orientations[k] * faster;
+                variation.positions[k] += velocity * time;
+            }
+            block.copy_from_slice(&variation.encoded(direction.ratio, end));
         }
     }
 
