@@ -226,6 +226,15 @@ impl Model {
         all.map(|(_, kind)| kind.hydrodynamics() as &dyn Hydrodynamics)
     }
 
+    /// The model of a ratio of the radii, if there is one.
+    pub(crate) fn of_ratio(&self, asked: f64) -> Option<&dyn Hydrodynamics> {
+        #[expect(clippy::float_cmp, reason = "a model is for one ratio, exactly")]
+        let found = std::iter::once(&self.first)
+            .chain(&self.others)
+            .find(|(ratio, _)| *ratio == asked);
+        found.map(|(_, kind)| kind.hydrodynamics() as &dyn Hydrodynamics)
+    }
+
     fn first(&self) -> &Kind {
         &self.first.1
     }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use bem::Bem;
-use scene::{LoadSet, Plan, Scene, SceneError};
+use scene::{LoadSet, Plan, Scene, SceneError, are_unlike};
 
 use crate::CompareError;
 
@@ -85,6 +85,24 @@ impl Reads {
         self.loads = Some(self.loads.map_or(set, |read| read.union(set)));
         self.add_ratio(scene.ratio());
         Ok(())
+    }
+
+    /// The same and what motion in three dimensions reads besides, and its linearisation, which asks for no symmetry; where radii are unlike, of the ratios
+    /// `beside` each too.
+    #[must_use]
+    pub fn in_space(mut self, beside: impl Fn(f64) -> Option<[f64; 4]>) -> Self {
+        self.loads = self.loads.map(|read| LoadSet {
+            twist: true,
+            swirl: read.swirl,
+            ..LoadSet::planar(read.modes.max(2))
+        });
+        let unlike: Vec<f64> = (self.ratios.iter().copied())
+            .filter(|ratio| are_unlike(*ratio))
+            .collect();
+        for ratio in unlike.into_iter().filter_map(beside).flatten() {
+            self.add_ratio(ratio);
+        }
+        self
     }
 
     /// Adds a ratio of the radii.

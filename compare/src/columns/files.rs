@@ -15,6 +15,7 @@ use crate::study::flow::FlowRow;
 use crate::study::maps::{BoundExample, BoundRow, FateRow, ScatterRow, TrustRow, TrustShares};
 use crate::study::panels::TrajectoryRow;
 use crate::study::ratios::RatioRow;
+use crate::study::sensitivity::{DerivativeRow, SensitivityRow};
 use crate::study::stress::{StressEncounterRow, StressRow, StressRunRow};
 use crate::study::{ComparisonRow, LoadErrorRow, LoadRow, MeshErrorRow, SlopeRow};
 use crate::sweep::SweepTail;
@@ -50,7 +51,7 @@ const fn file<R: Columns>(
 }
 
 /// Every CSV file. Files with the same kind of row stand together.
-pub const FILES: [CsvFile; 40] = [
+pub const FILES: [CsvFile; 42] = [
     file::<LoadRow>("loads.csv", &["loads"], "Loads at given gaps."),
     file::<EncounterRow>(
         "head-on.csv",
@@ -66,6 +67,16 @@ pub const FILES: [CsvFile; 40] = [
         "offset.csv",
         &["offset", "report"],
         "Sensitivity to an offset out of the plane (Fig. 5b).",
+    ),
+    file::<SensitivityRow>(
+        "sensitivity.csv",
+        &["sensitivity", "report"],
+        "How sensitive collisions are to an offset out of the plane, and to their start.",
+    ),
+    file::<DerivativeRow>(
+        "sensitivity-derivatives.csv",
+        &["sensitivity", "report"],
+        "Every derivative of the outgoing headings.",
     ),
     file::<ScatterRow>(
         "scatter.csv",

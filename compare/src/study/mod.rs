@@ -11,6 +11,7 @@ mod mesh_errors;
 pub mod offset;
 pub mod panels;
 pub mod ratios;
+pub mod sensitivity;
 mod slopes;
 pub mod stress;
 

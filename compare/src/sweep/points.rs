@@ -107,7 +107,7 @@ impl Points {
     }
 
     /// The values of the parameters at point `number`, axis by axis.
-    pub(super) fn values(&self, point: usize) -> Vec<(&str, f64)> {
+    pub(crate) fn values(&self, point: usize) -> Vec<(&str, f64)> {
         let mut rest = point;
         let mut values: Vec<_> = (self.axes.iter().rev())
             .map(|axis| {
@@ -174,7 +174,7 @@ impl Points {
     }
 
     /// Options of the run of a point, from the options of its file.
-    pub(super) fn options(&self, file: RunOptions) -> RunOptions {
+    pub(crate) fn options(&self, file: RunOptions) -> RunOptions {
         RunOptions {
             sample_interval: None,
             tolerance: self.run.tolerance.unwrap_or(file.tolerance),

@@ -11,6 +11,7 @@ mod many;
 pub(crate) mod maps;
 mod reference;
 mod scene;
+mod sensitivity;
 mod shared;
 mod stress;
 mod sweep;
@@ -30,6 +31,7 @@ use flow::FlowArguments;
 use hard_cases::HardCaseArguments;
 use judge::JudgeArguments;
 use maps::{MapArguments, TrustArguments};
+use sensitivity::SensitivityArguments;
 use shared::{highest, model_options, sweep_options};
 use stress::StressArguments;
 use sweep::{MergeArguments, SweepArguments};
@@ -159,6 +161,13 @@ pub(crate) enum Command {
         mut_arg("time_limit", sweep::time_limit)
     )]
     Sweep(SweepArguments),
+    /// How sensitive collisions are: derivatives of the outgoing headings, and how far a squirmer can be offset out of the plane
+    #[command(
+        after_help = "Without FAMILY: the paper's encounters (Figs 6 and 7).\n\nExample:\n  squirmers sensitivity --method lt,exact\n  \
+                            squirmers sensitivity right-angles --vary beta=-5:5:1 --vary dx=1,2"
+    )]
+    #[command(mut_arg("time_limit", sweep::time_limit))]
+    Sensitivity(SensitivityArguments),
     /// Merge the shares of a sweep into the file of the whole sweep
     #[command(after_help = "Example:\n  squirmers merge share-1 share-2 share-3 --out whole")]
     Merge(MergeArguments),
@@ -214,6 +223,7 @@ pub(crate) fn run(
         Command::Stress(given) => stress::run(given, general),
         Command::Explain(explain) => scene::explain(explain, general),
         Command::Sweep(given) => sweep::run(given, general),
+        Command::Sensitivity(given) => sensitivity::run(given, general),
         Command::Merge(given) => sweep::merge(given, general),
         Command::Reference => reference::run(general),
         Command::Report { models, runs } => {

@@ -89,12 +89,17 @@ pub(super) fn checked_limits(
         let value = format!("{angles_at:?}");
         return Err(CommandError::input("--departure", value, allowed));
     }
-    let limit = limits.time_limit.map(|seconds| {
+    Ok((angles_at, checked_time_limit(limits.time_limit)?))
+}
+
+/// The time limit, if it is allowed.
+pub(super) fn checked_time_limit(seconds: Option<f64>) -> Result<Option<Duration>, CommandError> {
+    let limit = seconds.map(|seconds| {
         let allowed = "give a number of seconds, 0 or more";
         Duration::try_from_secs_f64(seconds)
             .map_err(|_| CommandError::input("--time-limit", seconds, allowed))
     });
-    Ok((angles_at, limit.transpose()?))
+    limit.transpose()
 }
 
 pub(super) fn sweep_options(

@@ -54,14 +54,14 @@ pub(crate) fn time_limit(arg: Arg) -> Arg {
     )
 }
 
-fn parse_vary(text: &str) -> Result<(String, Numbers), String> {
+pub(super) fn parse_vary(text: &str) -> Result<(String, Numbers), String> {
     let (name, list) = (text.split_once('='))
         .ok_or_else(|| format!("'{text}' has no values: give NAME=LIST, such as dx=0:3:0.5"))?;
     Ok((name.trim().to_owned(), parse_numbers(list)?))
 }
 
 /// The family: one of the paper's by its name, or else from a file.
-fn family(named: &str) -> Result<Family, CommandError> {
+pub(super) fn family(named: &str) -> Result<Family, CommandError> {
     if let Some(family) = Family::named(named) {
         return Ok(family.clone());
     }

@@ -70,6 +70,31 @@ impl Perturbation {
         Ok(sum)
     }
 
+    /// The largest difference of a number from that of another one, relative to the larger of it and 1.
+    #[must_use]
+    pub fn distance(&self, other: &Self) -> f64 {
+        let [a, b] = [self, other].map(Self::numbers);
+        let apart = |(a, b): (f64, f64)| (a - b).abs() / a.abs().max(1.0);
+        // A NaN is far from everything.
+        a.into_iter()
+            .zip(b)
+            .map(apart)
+            .fold(0.0, |most, of| if of <= most { most } else { of })
+    }
+
+    /// All its numbers.
+    fn numbers(&self) -> Vec<f64> {
+        let vectors = [self.positions, self.orientations].concat();
+        let vectors = vectors.into_iter().chain([self.gravity]);
+        let modes = [self.modes, self.swirl].concat();
+        (vectors.flat_map(|v| [v.x, v.y, v.z]))
+            .chain(modes.into_iter().flatten())
+            .chain(self.repulsion)
+            .chain(self.gravity_torques)
+            .chain([self.ratio])
+            .collect()
+    }
+
     fn add(&mut self, weight: f64, other: &Self) {
         let add = |to: &mut [f64], from: &[f64]| {
             for (to, from) in to.iter_mut().zip(from) {
