@@ -83,11 +83,7 @@ pub(super) fn run(
 
 fn printed(of: &SensitivityCase) -> Vec<String> {
     let SensitivityCase { case, values, row } = of;
-    let tilt = if row.tilt2_per_a.abs() > row.tilt1_per_a.abs() {
-        row.tilt2_per_a
-    } else {
-        row.tilt1_per_a
-    };
+    let tilt = row.tilt1_per_a.abs().max(row.tilt2_per_a.abs());
     (std::iter::once(case.clone()).chain(values.iter().map(|value| written(*value))))
         .chain([
             row.method.to_string(),

@@ -10,6 +10,7 @@ mod flows;
 mod fluid;
 mod hard_cases;
 mod maps;
+mod off_plane;
 mod outcomes;
 mod peers;
 mod unlike;
@@ -92,6 +93,9 @@ pub(crate) fn write(
         content.sections.push(section);
         content.notes.extend(failures);
     }
+    content
+        .sections
+        .push(off_plane::section(&models, sweep, out)?);
     content.sections.push(effects::section(&models)?);
     content
         .sections

@@ -42,9 +42,9 @@ pub(super) struct Directions {
 
 /// A derivative, as it stands in a row.
 pub(super) struct Derivative {
-    by: String,
-    of: &'static str,
-    value: f64,
+    pub by: String,
+    pub of: &'static str,
+    pub value: f64,
     unit: String,
 }
 

@@ -495,3 +495,6 @@ fn without_result(method: Method, reason: &NoRun) -> SensitivityRow {
         truncation: nan,
     }
 }
+
+#[cfg(test)]
+mod tests;
