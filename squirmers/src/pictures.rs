@@ -9,6 +9,7 @@ use compare::study::encounters::Drawn;
 use compare::study::maps::{FateRow, Pair, ScatterRow, TrustRow, TrustShares};
 use compare::study::panels::PanelRun;
 use compare::study::ratios::RatioRow;
+use compare::study::sensitivity::SensitivityCase;
 use compare::study::stress::StressRow;
 use compare::{Approach, Encounter, Method, OffsetRow};
 
@@ -38,6 +39,11 @@ pub(crate) fn of_encounters(
 /// Picture of the changes by an offset out of the plane; none without runs.
 pub(crate) fn of_offsets(rows: &[OffsetRow]) -> Result<Option<Picture>, CommandError> {
     picture("offset.svg".to_owned(), figures::offset(rows))
+}
+
+/// Picture of the offsets out of the plane at which headings turn; none without cases.
+pub(crate) fn of_sensitivity(cases: &[SensitivityCase]) -> Result<Option<Picture>, CommandError> {
+    picture("sensitivity.svg".to_owned(), figures::sensitivity(cases))
 }
 
 /// Picture of the trajectories under gravity; none without runs.

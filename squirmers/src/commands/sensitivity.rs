@@ -14,6 +14,7 @@ use super::shared::{checked_time_limit, checked_tolerance, model_options, set_up
 use super::sweep::{family, parse_vary};
 use crate::arguments::{GeneralArguments, ModelArguments};
 use crate::error::CommandError;
+use crate::pictures;
 use crate::terminal::print_rows;
 
 #[derive(Debug, Args)]
@@ -64,6 +65,11 @@ pub(super) fn run(
     };
     let mut first = Vec::new();
     let done = study.run(&mut |case| keep_first(&mut first, case))?;
+    if done.is_complete()
+        && let Some(picture) = pictures::of_sensitivity(&first)?
+    {
+        out.write(&picture.file_name, &picture.svg)?;
+    }
     let axes = parts.first().map_or(&[][..], |part| part.points.axes());
     let varied = axes.iter().map(|axis| axis.name.as_str());
     let header: Vec<&str> = (["case"].into_iter().chain(varied))

@@ -10,6 +10,7 @@ use compare::study::cargo::CargoRow;
 use compare::study::maps::{FateRow, TrustShares};
 use compare::study::panels::{PanelCase, PanelRun};
 use compare::study::ratios::RatioRow;
+use compare::study::sensitivity::{SensitivityCase, SensitivityRow};
 use compare::{Encounter, LoadErrorRow, NoRun, OffsetRow};
 
 /// Number of panels that show "no data".
@@ -412,4 +413,38 @@ fn judged_models_are_drawn_whatever_they_lack() {
         ..row("timed")
     };
     has_no_stray_number(&score_against_time(&[timed]).unwrap());
+}
+
+#[test]
+fn sensitivity_without_finite_offsets_or_with_one_case() {
+    assert!(matches!(sensitivity(&[]), Err(FigureError::Empty { .. })));
+    let mut case = SensitivityCase {
+        case: "mine".to_owned(),
+        values: Vec::new(),
+        row: SensitivityRow {
+            method: Method::Lt,
+            min_gap: 0.1,
+            tau: 1.0,
+            outcome: "scattered".to_owned(),
+            condition: f64::NAN,
+            tilt1_per_a: 0.0,
+            tilt2_per_a: 0.0,
+            turn1_per_a2: f64::NAN,
+            turn2_per_a2: f64::NAN,
+            linear_1deg: f64::INFINITY,
+            offset_1deg: f64::INFINITY,
+            linear_6deg: f64::INFINITY,
+            offset_6deg: f64::INFINITY,
+            linear_15deg: f64::INFINITY,
+            offset_15deg: f64::INFINITY,
+            truncation: 0.0,
+        },
+    };
+    let svg = sensitivity(std::slice::from_ref(&case)).unwrap();
+    has_no_stray_number(&svg);
+    assert!(svg.contains("0 of 1 cases"), "{svg}");
+    (case.row.linear_6deg, case.row.offset_6deg) = (0.3, 0.4);
+    let svg = sensitivity(&[case]).unwrap();
+    has_no_stray_number(&svg);
+    assert!(svg.contains("1 of 1 cases"), "{svg}");
 }

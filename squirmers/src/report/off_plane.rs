@@ -1,8 +1,10 @@
 //! The section "Off the plane": what an offset out of the plane does, to first order and in full.
 
+use super::written;
 use crate::error::CommandError;
 use crate::page::{Section, Table};
-use compare::numbers::{rounded, written};
+use crate::pictures;
+use compare::numbers::{self, rounded};
 use compare::output::OutputFolder;
 use compare::study::sensitivity::{Part, SensitivityCase, SensitivityStudy};
 use compare::sweep::{RunChoices, SweepOptions};
@@ -38,6 +40,7 @@ pub(super) fn section(
              them. The file sensitivity-derivatives.csv has the derivatives by everything else: start, beta, repulsion."
                 .to_owned(),
         ],
+        figures: written(pictures::of_sensitivity(&cases)?.into_iter().collect(), out)?,
         tables: vec![Table::from_csv(
             "Derivatives by an offset dz out of the plane, per radius (in the plane per radius squared), condition number of the collision, and offsets in radii. An \
              infinite offset: none up to ten radii turns a heading so far.",
@@ -55,7 +58,11 @@ fn finding(cases: &[SensitivityCase]) -> String {
     let Some(exact) = steepest else {
         return String::new();
     };
-    let values: Vec<String> = exact.values.iter().map(|value| written(*value)).collect();
+    let values: Vec<String> = exact
+        .values
+        .iter()
+        .map(|value| numbers::written(*value))
+        .collect();
     let named = format!("{}, beta and dx {}", exact.case, values.join(" and "));
     let lubrication =
         of(Method::Lt).find(|case| case.case == exact.case && case.values == exact.values);
