@@ -50,8 +50,8 @@ pub use legendre::{Legendre, legendre};
 pub use load_set::{LoadSet, Parities};
 pub use loads::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
 pub use motion::{
-    BoundState, Counters, Outcome, Run, RunOptions, Sample, bound_states, far_drift, rates,
-    rates_monomorphic, run, run_monomorphic, run_observed, run_plan,
+    BoundState, Counters, Outcome, Run, RunOptions, Sample, bound_states, far_drift, from_infinity,
+    rates, rates_monomorphic, run, run_monomorphic, run_observed, run_plan, turned_to_infinity,
 };
 pub use plan::{NeededLoads, Plan, PlanRow, State, SymmetryClass};
 pub use ratio::{RATIOS, are_unlike};
