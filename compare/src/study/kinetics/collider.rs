@@ -75,6 +75,8 @@ pub struct Collider<'a> {
     squirmers: [Squirmer; 2],
     beta: f64,
     tolerance: f64,
+    /// Distance of the centres at which headings are read; infinity for their limit.
+    angles_at: f64,
     /// Factor of the distance at which runs begin.
     reach: f64,
 }
@@ -89,16 +91,17 @@ pub enum Begins {
 }
 
 impl<'a> Collider<'a> {
-    /// Collisions of squirmers with `beta = B_2/B_1`, with a tolerance of the integrator.
+    /// Collisions of squirmers with `beta = B_2/B_1`. Of the options tolerance and distance at which headings are read count.
     ///
     /// # Errors
     /// [`SceneError::NotFinite`].
-    pub fn new(model: &'a Model, beta: f64, tolerance: f64) -> Result<Self, SceneError> {
+    pub fn new(model: &'a Model, beta: f64, options: &RunOptions) -> Result<Self, SceneError> {
         Ok(Self {
             model,
             squirmers: [Squirmer::with_beta(1.0, beta)?; 2],
             beta,
-            tolerance,
+            tolerance: options.tolerance,
+            angles_at: options.angles_at,
             reach: 1.0,
         })
     }
@@ -187,7 +190,7 @@ impl<'a> Collider<'a> {
             tolerance: self.tolerance,
             end_time: 3.0 * far / incoming.velocity().norm() + PATIENCE,
             departure_distance: 0.5 * FAR.max(FAR_IMPACTS * incoming.impact.norm()) * self.reach,
-            angles_at: FAR * self.reach,
+            angles_at: self.angles_at.min(FAR * self.reach),
             sample_interval: sampled.then_some(SAMPLE),
             ..RunOptions::default()
         }
@@ -196,7 +199,8 @@ impl<'a> Collider<'a> {
     /// The headings at infinity: where they are read, and turned by the rest in closed form.
     fn headings(&self, run: &Run) -> [Vector3<f64>; 2] {
         let read = run.outgoing;
-        if self.model.cutoff().is_some() || run.outcome != Outcome::Scattered {
+        let is_limit = self.angles_at.is_infinite() && self.model.cutoff().is_none();
+        if !is_limit || run.outcome != Outcome::Scattered {
             return read.orientations;
         }
         turned_to_infinity(&self.squirmers, &read).map_or(read.orientations, |end| end.orientations)

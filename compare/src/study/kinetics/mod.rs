@@ -3,6 +3,7 @@
 mod collider;
 mod incoming;
 mod integrals;
+mod map;
 mod points;
 mod rows;
 mod sweep;
@@ -12,6 +13,7 @@ pub use incoming::{CONTACT, Contact, Impact, Incoming};
 pub use integrals::{
     Coefficients, Kernel, MEAN_SPEED, Means, Quantity, Sums, mean_and_error, rate,
 };
+pub use map::{CollisionRow, CollisionSweep, Starts};
 pub use points::{MOST as MOST_POINTS, point};
 pub use rows::{Estimate, KineticsRatioRow, KineticsRow, ratios};
 pub use sweep::{KineticsSweep, Sampling};

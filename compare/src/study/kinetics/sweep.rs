@@ -103,7 +103,7 @@ pub struct KineticsSweep<'a> {
     pub betas: &'a [f64],
     /// The encounters.
     pub sampling: &'a Sampling,
-    /// Options of each run, of which the tolerance counts, and the time limit.
+    /// Options of each run, of which tolerance and distance at which headings are read count, and the time limit.
     pub options: SweepOptions,
     /// The folder for the rows.
     pub out: &'a OutputFolder,
@@ -150,7 +150,7 @@ impl KineticsSweep<'_> {
         let kept = sweep.run(|unit| {
             let (of, part) = (unit / parts, unit % parts);
             let (model, beta) = (&self.models[of / betas], self.betas[of % betas]);
-            let collider = Collider::new(model, beta, self.options.run.tolerance)?;
+            let collider = Collider::new(model, beta, &self.options.run)?;
             let (means, failure) = Means::sampled(
                 &|incoming| collider.collide(incoming, Begins::Infinity, true),
                 rings[part / self.sampling.replications],
