@@ -9,6 +9,11 @@ mod findings;
 mod flows;
 mod fluid;
 mod hard_cases;
+#[cfg_attr(
+    not(test),
+    allow(dead_code, reason = "a part for a section of the page")
+)]
+mod kinetics;
 mod maps;
 mod outcomes;
 mod peers;

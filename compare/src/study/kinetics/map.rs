@@ -195,11 +195,11 @@ pub struct CollisionSweep<'a> {
 }
 
 impl CollisionSweep<'_> {
-    /// Checks what a user may have given.
+    /// Checks what a user may have given, before models are set up.
     ///
     /// # Errors
     /// [`CompareError::Input`].
-    pub fn checked(&self) -> Result<(), CompareError> {
+    pub fn checked_options(&self) -> Result<(), CompareError> {
         if !(1..=MOST_COLLISIONS).contains(&self.count) {
             let allowed = "give a number of collisions, 1 or more";
             return Err(CompareError::input("--count", self.count, allowed));
@@ -210,6 +210,10 @@ impl CollisionSweep<'_> {
             let allowed = "give an impact parameter greater than 0, at most 1000 radii";
             return Err(CompareError::input("--impact", written(b), allowed));
         }
+        Ok(())
+    }
+
+    fn checked_share(&self) -> Result<(), CompareError> {
         let all = self.all();
         if self.share.units(all).is_empty() {
             let allowed = format!("there are {all} rows: give at most {all} shares");
@@ -293,10 +297,11 @@ impl CollisionSweep<'_> {
     /// Runs the share, writes `collisions.csv` and passes each row to `each`, in order. Writes the manifest after all rows.
     ///
     /// # Errors
-    /// As [`Self::checked`] and [`Sweep::run`].
+    /// As [`Self::checked_options`] and [`Sweep::run`]; [`CompareError::Input`] for a share without a row.
     pub fn run(&self, each: &mut dyn FnMut(CollisionRow)) -> Result<Done, CompareError> {
         let began = Instant::now();
-        self.checked()?;
+        self.checked_options()?;
+        self.checked_share()?;
         let all = self.all();
         let units = self.share.units(all);
         let identity = self.identity();
