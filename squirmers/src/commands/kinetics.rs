@@ -239,6 +239,11 @@ pub(super) fn kinetics(
     Ok(out.account().verdict()?)
 }
 
+/// A number with three decimals, without the size of what is zero but for rounding.
+fn small(value: f64) -> String {
+    rounded(if value.abs() < 1e-5 { 0.0 } else { value }, 3)
+}
+
 fn print_coefficients(rows: &[KineticsRow]) {
     let header = [
         "method", "beta", "b [a]", "part [%]", "tau", "D_R/n", "error", "n D_T", "D/n", "align",
@@ -257,8 +262,8 @@ fn print_coefficients(rows: &[KineticsRow]) {
                 rounded(row.rotation_error, 3),
                 rounded(row.translation, 3),
                 rounded(row.displacement, 2),
-                rounded(row.alignment, 3),
-                rounded(row.growth, 3),
+                small(row.alignment),
+                small(row.growth),
                 rounded(row.growth_error, 3),
             ]
         }),

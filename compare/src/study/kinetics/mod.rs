@@ -7,6 +7,8 @@ mod map;
 mod points;
 mod rows;
 mod sweep;
+#[cfg(test)]
+mod tests;
 
 pub use collider::{Begins, Collider, Outgoing};
 pub use incoming::{CONTACT, Contact, Impact, Incoming};

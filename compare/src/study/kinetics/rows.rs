@@ -106,7 +106,7 @@ columns! {
         /// Error of `difference`.
         #[unit = "varies"]
         pub difference_error: f64,
-        /// By the method over by exact hydrodynamics. NaN where the exact coefficient is within three of its errors of zero.
+        /// By the method over by exact hydrodynamics. NaN where the exact coefficient is within three of its errors, or 1e-5, of zero.
         #[unit = "-"]
         pub ratio: f64,
         /// Error of `ratio`.
@@ -114,6 +114,9 @@ columns! {
         pub ratio_error: f64,
     }
 }
+
+/// A coefficient within this of zero is zero, but for the tolerance of the integrator.
+const ZERO: f64 = 1e-5;
 
 /// The replications of the coefficients of one method, beta and largest impact parameter.
 #[derive(Clone, Debug)]
@@ -188,7 +191,7 @@ impl Estimate {
             let differences: Vec<f64> = pairs().map(|(own, truth)| own - truth).collect();
             let (difference, difference_error) = mean_and_error(&differences);
             // A coefficient that is zero but for sampling has no ratio.
-            let (ratio, ratio_error) = if reference.abs() > 3.0 * error {
+            let (ratio, ratio_error) = if reference.abs() > (3.0 * error).max(ZERO) {
                 let ratio = value / reference;
                 let off: Vec<f64> = pairs().map(|(own, truth)| own - ratio * truth).collect();
                 (ratio, mean_and_error(&off).1 / reference.abs())
