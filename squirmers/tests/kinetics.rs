@@ -238,9 +238,9 @@ fn bad_input_is_one_line_and_leaves_nothing_behind() {
                 "--method",
                 "lt",
                 "--partition",
-                "3/3",
+                "1/3",
             ],
-            "--partition '3/3'",
+            "--partition '1/3'",
         ),
     ] {
         let output = squirmers(folder.path(), arguments);
