@@ -2,8 +2,8 @@
 
 use scene::nalgebra::Vector3;
 use scene::{
-    Configuration, Gap, Orientation, Outcome, Plan, Pose, Run, RunOptions, Sample, Scene,
-    SceneError, Squirmer, far_drift, from_infinity, turned_to_infinity,
+    Configuration, Gap, Orientation, Outcome, Plan, Pose, Repulsion, Run, RunOptions, Sample,
+    Scene, SceneError, Squirmer, far_drift, from_infinity, turned_to_infinity,
 };
 
 use super::incoming::{CONTACT, Incoming};
@@ -77,6 +77,7 @@ pub struct Collider<'a> {
     tolerance: f64,
     /// Distance of the centres at which headings are read; infinity for their limit.
     angles_at: f64,
+    repulsion: Option<Repulsion>,
     /// Factor of the distance at which runs begin.
     reach: f64,
 }
@@ -91,7 +92,7 @@ pub enum Begins {
 }
 
 impl<'a> Collider<'a> {
-    /// Collisions of squirmers with `beta = B_2/B_1`. Of the options tolerance and distance at which headings are read count.
+    /// Collisions of squirmers with `beta = B_2/B_1`, with the paper's repulsion at short range. Of the options tolerance and distance at which headings are read count.
     ///
     /// # Errors
     /// [`SceneError::NotFinite`].
@@ -102,8 +103,18 @@ impl<'a> Collider<'a> {
             beta,
             tolerance: options.tolerance,
             angles_at: options.angles_at,
+            repulsion: Some(Repulsion::PAPER),
             reach: 1.0,
         })
+    }
+
+    /// The same without repulsion: pairs that swim at each other touch.
+    #[must_use]
+    pub fn without_repulsion(self) -> Self {
+        Self {
+            repulsion: None,
+            ..self
+        }
     }
 
     /// The same, with runs that begin farther away by a factor.
@@ -153,7 +164,7 @@ impl<'a> Collider<'a> {
             position: positions[k],
             orientation: Orientation::Vector(start.orientations[k]),
         });
-        Scene::new(self.squirmers, poses, None, None)
+        Scene::new(self.squirmers, poses, self.repulsion, None)
     }
 
     /// Runs an encounter. `carried` asks for the displacements too, which takes more time.

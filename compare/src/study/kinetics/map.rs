@@ -284,7 +284,10 @@ impl CollisionSweep<'_> {
         } = self.run;
         SweepIdentity {
             version: format!("squirmers {}", env!("CARGO_PKG_VERSION")),
-            family: format!("collisions: {} pairs {starts}", self.count),
+            family: format!(
+                "collisions with the paper's repulsion: {} pairs {starts}",
+                self.count
+            ),
             axes: vec![Axis {
                 name: "beta".to_owned(),
                 values: self.betas.to_vec(),

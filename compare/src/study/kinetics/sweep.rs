@@ -118,7 +118,10 @@ impl KineticsSweep<'_> {
             sample_interval: None,
             ..self.options.run
         };
-        let rest = format!("betas {:?}; {:?}", self.betas, self.sampling);
+        let rest = format!(
+            "paper's repulsion; betas {:?}; {:?}",
+            self.betas, self.sampling
+        );
         Sweep {
             name: NAME,
             units: 0..self.models.len() * self.betas.len() * self.sampling.parts(),
