@@ -5,6 +5,7 @@
 mod collisions;
 mod kernels;
 mod quadratures;
+mod readme;
 
 use scene::RunOptions;
 
