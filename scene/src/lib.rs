@@ -51,8 +51,8 @@ pub use load_set::{LoadSet, Parities};
 pub use loads::{MAX_MODES, ModeLoads, PairLoads, SelfOther};
 pub use motion::{
     BoundState, Counters, Outcome, Perturbation, Run, RunOptions, Sample, TangentRun, Variation,
-    bound_states, far_drift, rates, rates_monomorphic, run, run_monomorphic, run_observed,
-    run_plan, run_with_tangents, run_with_tangents_by_ratio,
+    bound_states, far_drift, from_infinity, rates, rates_monomorphic, run, run_monomorphic,
+    run_observed, run_plan, run_with_tangents, run_with_tangents_by_ratio, turned_to_infinity,
 };
 pub use plan::{NeededLoads, Plan, PlanRow, State, SymmetryClass};
 pub use ratio::{RATIOS, are_unlike};

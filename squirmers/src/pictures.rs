@@ -6,6 +6,7 @@ use compare::judge::LeaderRow;
 use compare::numbers::written;
 use compare::study::cargo::CargoRow;
 use compare::study::encounters::Drawn;
+use compare::study::kinetics::KineticsRow;
 use compare::study::maps::{FateRow, Pair, ScatterRow, TrustRow, TrustShares};
 use compare::study::panels::PanelRun;
 use compare::study::ratios::RatioRow;
@@ -156,6 +157,11 @@ pub(crate) fn of_cargo(rows: &[CargoRow]) -> Result<Vec<Picture>, CommandError> 
         picture(name, figures::cargo(alike))
     });
     drawn.filter_map(Result::transpose).collect()
+}
+
+/// Picture of collision integrals; none without rows.
+pub(crate) fn of_kinetics(rows: &[KineticsRow]) -> Result<Option<Picture>, CommandError> {
+    picture("kinetics.svg".to_owned(), figures::kinetics(rows))
 }
 
 /// Stresslets and rates of work against the gap, one picture for each ratio of the radii with several gaps.

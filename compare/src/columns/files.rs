@@ -12,6 +12,7 @@ use crate::reference::{
 use crate::scene_run::SampleRow;
 use crate::study::cargo::CargoRow;
 use crate::study::flow::FlowRow;
+use crate::study::kinetics::{CollisionRow, KineticsRatioRow, KineticsRow};
 use crate::study::maps::{BoundExample, BoundRow, FateRow, ScatterRow, TrustRow, TrustShares};
 use crate::study::panels::TrajectoryRow;
 use crate::study::ratios::RatioRow;
@@ -51,7 +52,7 @@ const fn file<R: Columns>(
 }
 
 /// Every CSV file. Files with the same kind of row stand together.
-pub const FILES: [CsvFile; 42] = [
+pub const FILES: [CsvFile; 45] = [
     file::<LoadRow>("loads.csv", &["loads"], "Loads at given gaps."),
     file::<EncounterRow>(
         "head-on.csv",
@@ -159,6 +160,21 @@ pub const FILES: [CsvFile; 42] = [
         "sweep.csv",
         &["sweep", "merge"],
         "A sweep of a family of scenes.",
+    ),
+    file::<CollisionRow>(
+        "collisions.csv",
+        &["collisions", "merge"],
+        "Collisions in three dimensions.",
+    ),
+    file::<KineticsRow>(
+        "kinetics.csv",
+        &["kinetics", "report"],
+        "Collision integrals of a dilute suspension.",
+    ),
+    file::<KineticsRatioRow>(
+        "kinetics-ratios.csv",
+        &["kinetics", "report"],
+        "Collision integrals by each method against exact hydrodynamics.",
     ),
     file::<HardCaseRow>(
         "hard-cases.csv",

@@ -27,13 +27,25 @@ pub trait Columns {
 }
 
 /// Every unit with its meaning.
-pub const UNITS: [(&str, &str); 13] = [
+pub const UNITS: [(&str, &str); 16] = [
     ("a", "radius of a squirmer"),
     (
         "V_s",
         "swimming speed of a lone squirmer; in scene files the unit of speed",
     ),
     ("a/V_s", "time in which a lone squirmer swims one radius"),
+    (
+        "a^2 V_s",
+        "rate over the number of squirmers in a volume `a^3`",
+    ),
+    (
+        "a^4 V_s",
+        "diffusivity of positions over the number of squirmers in a volume `a^3`",
+    ),
+    (
+        "V_s/a^2",
+        "diffusivity of positions times the number of squirmers in a volume `a^3`",
+    ),
     ("V_s/a", "rate; for angular velocities, radians per `a/V_s`"),
     (
         "mu V_s/a",

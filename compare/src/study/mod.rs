@@ -4,6 +4,7 @@ pub mod cargo;
 mod comparison;
 pub mod encounters;
 pub mod flow;
+pub mod kinetics;
 mod load_errors;
 mod loads;
 pub mod maps;

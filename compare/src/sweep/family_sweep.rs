@@ -5,9 +5,8 @@ use std::time::{Duration, Instant};
 use scene::{Run, RunOptions};
 use serde::{Deserialize, Serialize};
 
-use super::manifest::{SweepIdentity, measured};
-use super::merge::ROWS;
-use super::{Arithmetic, Computed, Done, Manifest, ManifestModel, Points, Row, Share, Sweep};
+use super::manifest::SweepIdentity;
+use super::{Computed, Done, Manifest, ManifestModel, Points, Row, Share, Sweep};
 use crate::columns::{self, Columns as _, columns};
 use crate::no_run::RunNumbers;
 use crate::output::{OutputFolder, csv_lines};
@@ -119,7 +118,7 @@ impl FamilySweep<'_> {
             units: units.clone(),
             size,
             what: "parts of the sweep",
-            key: self.key(&identity, size)?,
+            key: identity.key(NAME, self.share, size)?,
             time_limit: self.time_limit,
             out: self.out,
         };
@@ -133,22 +132,8 @@ impl FamilySweep<'_> {
             Ok::<_, CompareError>(())
         })?;
         if done.is_complete() {
-            let path = self.out.path().join(ROWS);
-            let (bytes, checksum) =
-                measured(&path).map_err(|source| CompareError::Write { path, source })?;
-            let manifest = Manifest {
-                sweep: identity,
-                share: self.share,
-                rows: units,
-                all_rows: all,
-                failed: done.failed,
-                bytes,
-                checksum,
-                arithmetic: vec![Arithmetic::of(self.models)?],
-                threads: rayon::current_num_threads(),
-                seconds: began.elapsed().as_secs_f64(),
-            };
-            self.out.write(Manifest::FILE, &manifest.json()?)?;
+            let share = (self.share, all, done.failed);
+            Manifest::write((self.out, NAME), identity, share, self.models, began)?;
         }
         Ok(done)
     }
@@ -162,26 +147,9 @@ impl FamilySweep<'_> {
             version: format!("squirmers {}", env!("CARGO_PKG_VERSION")),
             family: self.points.family().text().to_owned(),
             axes: self.points.axes().to_vec(),
-            models: (self.models.iter())
-                .map(|model| ManifestModel {
-                    name: model.method().to_string(),
-                    fingerprint: model.fingerprint(),
-                })
-                .collect(),
+            models: ManifestModel::of(self.models),
             run: format!("tolerance {tolerance}, angles at {:?}", run.angles_at),
         }
-    }
-
-    /// Everything that the rows of the share depend on, in one line.
-    fn key(&self, identity: &SweepIdentity, size: usize) -> Result<String, CompareError> {
-        let mut checksum = crc32fast::Hasher::new();
-        checksum.update(serde_json::to_string(identity)?.as_bytes());
-        Ok(format!(
-            "{} {NAME} {:08x}, share {}, {size} rows at a time",
-            identity.version,
-            checksum.finalize(),
-            self.share
-        ))
     }
 
     fn compute(&self, families: &[Family], unit: usize) -> Result<Computed, CompareError> {

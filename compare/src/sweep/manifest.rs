@@ -4,12 +4,14 @@ use std::fs::File;
 use std::io::Read;
 use std::ops::Range;
 use std::path::Path;
+use std::time::Instant;
 
 use scene::mobility::MobilitySet;
 use scene::{Gap, LoadSet, SceneError};
 use serde::{Deserialize, Serialize};
 
 use super::Share;
+use crate::output::OutputFolder;
 use crate::{CompareError, Model};
 
 /// Largest size of a manifest, in bytes.
@@ -28,6 +30,12 @@ const UNTABULATED: LoadSet = LoadSet::all(2);
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Manifest {
+    /// Name of the file of the rows, one of [`Self::ROWS`].
+    #[serde(
+        default = "Manifest::usual",
+        skip_serializing_if = "Manifest::is_usual"
+    )]
+    pub file: String,
     /// Description of the sweep, equal for all its shares.
     pub sweep: SweepIdentity,
     /// The number of this share, and the number of shares.
@@ -56,7 +64,7 @@ pub struct Manifest {
 pub struct SweepIdentity {
     /// Version of the program.
     pub version: String,
-    /// Text of the family's scene file.
+    /// Text of the family's scene file; for other sweeps what they are of, in words.
     pub family: String,
     /// The parameters that are varied; the first one is the outer loop.
     pub axes: Vec<Axis>,
@@ -64,6 +72,24 @@ pub struct SweepIdentity {
     pub models: Vec<ManifestModel>,
     /// Options of each run.
     pub run: String,
+}
+
+impl SweepIdentity {
+    /// Everything that the rows of a share depend on, in one line.
+    pub(crate) fn key(
+        &self,
+        name: &str,
+        share: Share,
+        size: usize,
+    ) -> Result<String, CompareError> {
+        let mut checksum = crc32fast::Hasher::new();
+        checksum.update(serde_json::to_string(self)?.as_bytes());
+        Ok(format!(
+            "{} {name} {:08x}, share {share}, {size} rows at a time",
+            self.version,
+            checksum.finalize(),
+        ))
+    }
 }
 
 /// A parameter and its values.
@@ -84,6 +110,17 @@ pub struct ManifestModel {
     pub name: String,
     /// Fingerprint of everything that its loads depend on.
     pub fingerprint: String,
+}
+
+impl ManifestModel {
+    /// The models of a sweep.
+    pub(crate) fn of(models: &[Model]) -> Vec<Self> {
+        let of = |model: &Model| Self {
+            name: model.method().to_string(),
+            fingerprint: model.fingerprint(),
+        };
+        models.iter().map(of).collect()
+    }
 }
 
 /// The machine and its arithmetic. Rows of one sweep have the same bits on machines with an equal `Arithmetic`.
@@ -191,6 +228,49 @@ impl Manifest {
     /// Name of the manifest's file.
     pub const FILE: &'static str = "sweep.json";
 
+    /// Names that the file of the rows may have; the first one is left out of a manifest.
+    pub const ROWS: [&'static str; 2] = ["sweep.csv", "collisions.csv"];
+
+    fn usual() -> String {
+        Self::ROWS[0].to_owned()
+    }
+
+    fn is_usual(name: &str) -> bool {
+        name == Self::ROWS[0]
+    }
+
+    /// Writes the manifest of a share whose rows are complete in the file `NAME.csv`.
+    ///
+    /// # Errors
+    /// [`CompareError::Write`]; [`CompareError::Json`]; the errors of the models.
+    pub(crate) fn write(
+        (out, name): (&OutputFolder, &str),
+        sweep: SweepIdentity,
+        (share, all_rows, failed): (Share, usize, usize),
+        models: &[Model],
+        began: Instant,
+    ) -> Result<(), CompareError> {
+        let file = format!("{name}.csv");
+        let path = out.path().join(&file);
+        let (bytes, checksum) =
+            measured(&path).map_err(|source| CompareError::Write { path, source })?;
+        let manifest = Self {
+            file,
+            sweep,
+            share,
+            rows: share.units(all_rows),
+            all_rows,
+            failed,
+            bytes,
+            checksum,
+            arithmetic: vec![Arithmetic::of(models)?],
+            threads: rayon::current_num_threads(),
+            seconds: began.elapsed().as_secs_f64(),
+        };
+        out.write(Self::FILE, &manifest.json()?)?;
+        Ok(())
+    }
+
     /// The manifest as JSON that people can read.
     ///
     /// # Errors
@@ -215,6 +295,16 @@ impl Manifest {
         file.take(LONGEST)
             .read_to_string(&mut text)
             .map_err(|error| torn(error.to_string()))?;
-        serde_json::from_str(&text).map_err(|error| torn(format!("it is no manifest: {error}")))
+        let manifest: Self = serde_json::from_str(&text)
+            .map_err(|error| torn(format!("it is no manifest: {error}")))?;
+        // A name from outside is no path.
+        if !Self::ROWS.contains(&manifest.file.as_str()) {
+            let known = Self::ROWS.join(" or ");
+            return Err(torn(format!(
+                "it is no manifest: its rows are in '{}', not in {known}",
+                manifest.file
+            )));
+        }
+        Ok(manifest)
     }
 }

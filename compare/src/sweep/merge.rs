@@ -9,12 +9,11 @@ use super::{Arithmetic, Share};
 use crate::CompareError;
 use crate::output::OutputFolder;
 
-/// Name of the file of the rows.
-pub(super) const ROWS: &str = "sweep.csv";
-
 /// Summary of a merge.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Merged {
+    /// Name of the file of the rows.
+    pub file: String,
     /// Number of shares.
     pub shares: usize,
     /// Number of rows.
@@ -23,7 +22,7 @@ pub struct Merged {
     pub arithmetic: Vec<Arithmetic>,
 }
 
-/// Merges the shares in `folders`, in any order, into `sweep.csv` in `out`, and writes a manifest.
+/// Merges the shares in `folders`, in any order, into one file in `out`, and writes a manifest.
 ///
 /// # Errors
 /// [`CompareError::Share`], with the name of a share that is missing, given twice, unfinished, damaged or from
@@ -46,7 +45,7 @@ pub fn merge(folders: &[PathBuf], out: &OutputFolder) -> Result<Merged, CompareE
         ));
     };
     let mut header = String::new();
-    out.write_by(ROWS, |to| -> Result<(), CompareError> {
+    out.write_by(&first.file, |to| -> Result<(), CompareError> {
         for (folder, manifest) in &shares {
             copy(folder, manifest, &mut header, to, out)?;
         }
@@ -58,7 +57,7 @@ pub fn merge(folders: &[PathBuf], out: &OutputFolder) -> Result<Merged, CompareE
             arithmetic.push(of_share.clone());
         }
     }
-    let path = out.path().join(ROWS);
+    let path = out.path().join(&first.file);
     let (bytes, checksum) =
         measured(&path).map_err(|source| CompareError::Write { path, source })?;
     let whole = Manifest {
@@ -74,6 +73,7 @@ pub fn merge(folders: &[PathBuf], out: &OutputFolder) -> Result<Merged, CompareE
     };
     out.write(Manifest::FILE, &whole.json()?)?;
     Ok(Merged {
+        file: first.file.clone(),
         shares: shares.len(),
         rows: first.all_rows,
         arithmetic,
@@ -101,6 +101,15 @@ fn in_order(folders: &[PathBuf]) -> Result<Vec<(&PathBuf, Manifest)>, CompareErr
             let reason = format!(
                 "it is not a share of the same sweep as '{}': {what} differs",
                 first.display()
+            );
+            return Err(refused(folder, reason));
+        }
+        if manifest.file != of_first.file {
+            let reason = format!(
+                "its rows are in {}, but those of '{}' are in {}",
+                manifest.file,
+                first.display(),
+                of_first.file
             );
             return Err(refused(folder, reason));
         }
@@ -174,11 +183,11 @@ fn copy(
     to: &mut dyn Write,
     out: &OutputFolder,
 ) -> Result<(), CompareError> {
-    let path = folder.join(ROWS);
+    let path = folder.join(&manifest.file);
     let torn = |reason: String| refused(&path, reason);
     let unread = |error: std::io::Error| refused(&path, error.to_string());
     let write = |to: &mut dyn Write, bytes: &[u8]| {
-        (to.write_all(bytes)).map_err(|source| out.failed(ROWS, source))
+        (to.write_all(bytes)).map_err(|source| out.failed(&manifest.file, source))
     };
     let mut file = BufReader::with_capacity(1 << 20, File::open(&path).map_err(unread)?);
     let mut line = String::new();
@@ -224,6 +233,9 @@ mod tests {
     use super::*;
     use crate::sweep::{Axis, ManifestModel};
 
+    /// Name of the file of the rows.
+    const ROWS: &str = Manifest::ROWS[0];
+
     /// Rows of the sweep in these tests.
     const ALL: usize = 10;
 
@@ -248,6 +260,7 @@ mod tests {
         std::fs::write(&path, text).unwrap();
         let (bytes, checksum) = measured(&path).unwrap();
         let mut manifest = Manifest {
+            file: ROWS.to_owned(),
             sweep: SweepIdentity {
                 version: "squirmers".to_owned(),
                 family: "text".to_owned(),
@@ -330,7 +343,11 @@ mod tests {
     #[test]
     fn a_foreign_share_is_told_with_what_differs() {
         type Change = fn(&mut Manifest);
-        let changes: [(&str, Change); 7] = [
+        let changes: [(&str, Change); 9] = [
+            ("'rows.csv'", |m| m.file = "rows.csv".to_owned()),
+            ("in collisions.csv", |m| {
+                m.file = Manifest::ROWS[1].to_owned()
+            }),
             ("version", |m| m.sweep.version.push('x')),
             ("family", |m| m.sweep.family.push('x')),
             ("varied", |m| m.sweep.axes.clear()),

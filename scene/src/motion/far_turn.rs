@@ -13,10 +13,8 @@ use crate::frame::Configuration;
 
 /// The configuration whose orientations have turned by all that is still to come on straight paths that
 /// recede from each other; none if the two do not recede, so that there is no limit.
-pub(super) fn turned_to_infinity(
-    squirmers: &[Squirmer; 2],
-    at: &Configuration,
-) -> Option<Configuration> {
+#[must_use]
+pub fn turned_to_infinity(squirmers: &[Squirmer; 2], at: &Configuration) -> Option<Configuration> {
     let [v1, v2] = [0, 1].map(|k| at.orientations[k] * squirmers[k].swimming_speed());
     let separation = at.line * at.distance();
     let fastest = v1.norm().max(v2.norm());
@@ -102,7 +100,7 @@ fn drift_by(
 
 /// The integral from now to infinity of the rate at which the stresslet of a squirmer with `B_2` (times the square of its radius) and
 /// orientation `p` turns a sphere at `s0 + w t` from it, a rotation vector in radians.
-fn turn_by(b2: f64, p: Vector3<f64>, s0: Vector3<f64>, w: Vector3<f64>) -> Vector3<f64> {
+pub(super) fn turn_by(b2: f64, p: Vector3<f64>, s0: Vector3<f64>, w: Vector3<f64>) -> Vector3<f64> {
     let (speed, r) = (w.norm(), s0.norm());
     let ahead = w / speed;
     // Along the path from the point nearest to the squirmer, in units of the distance now.

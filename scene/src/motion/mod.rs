@@ -8,6 +8,7 @@ mod equations;
 mod far_turn;
 mod floor;
 mod free_flight;
+mod from_infinity;
 mod moving;
 mod outcome;
 mod rates;
@@ -21,7 +22,8 @@ mod unlike;
 mod watch;
 
 pub use bound::{BoundState, bound_states};
-pub use far_turn::far_drift;
+pub use far_turn::{far_drift, turned_to_infinity};
+pub use from_infinity::from_infinity;
 pub use outcome::Outcome;
 pub use rates::{rates, rates_monomorphic};
 pub use result::{Counters, Run, RunOptions, Sample};

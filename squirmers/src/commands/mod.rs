@@ -6,6 +6,7 @@ pub(crate) mod encounters;
 mod flow;
 mod hard_cases;
 mod judge;
+pub(crate) mod kinetics;
 mod loads;
 mod many;
 pub(crate) mod maps;
@@ -30,6 +31,7 @@ use cost::CostArguments;
 use flow::FlowArguments;
 use hard_cases::HardCaseArguments;
 use judge::JudgeArguments;
+use kinetics::{CollisionArguments, KineticsArguments};
 use maps::{MapArguments, TrustArguments};
 use sensitivity::SensitivityArguments;
 use shared::{highest, model_options, sweep_options};
@@ -171,6 +173,28 @@ pub(crate) enum Command {
     /// Merge the shares of a sweep into the file of the whole sweep
     #[command(after_help = "Example:\n  squirmers merge share-1 share-2 share-3 --out whole")]
     Merge(MergeArguments),
+    /// Collisions in three dimensions: turns of both headings, interaction time tau, outcome of each of many pairs
+    #[command(
+        after_help = "Example:\n  squirmers collisions --beta 5 --count 10000 --method exact\n  \
+                            squirmers collisions --by contact --beta -5,5 --partition 2/7 --out share-2"
+    )]
+    #[command(
+        mut_arg("method", maps::methods),
+        mut_arg("tol", maps::tolerance),
+        mut_arg("time_limit", sweep::time_limit)
+    )]
+    Collisions(CollisionArguments),
+    /// Collision integrals of a dilute suspension: diffusivities, alignment, growth of polar order
+    #[command(
+        after_help = "Example:\n  squirmers kinetics --beta -5,0,5 --method lt,exact\n  \
+                            squirmers kinetics --beta 1 --impact 3,4,6,9 --count 1024"
+    )]
+    #[command(
+        mut_arg("method", kinetics::methods),
+        mut_arg("tol", kinetics::tolerance),
+        mut_arg("time_limit", sweep::time_limit)
+    )]
+    Kinetics(KineticsArguments),
     /// A package of exact reference numbers, with their errors, to be cited and compared with
     #[command(
         after_help = "The folder must be new, empty, or that of an earlier package.\n\nExample:\n  squirmers reference --out squirmers-reference"
@@ -222,6 +246,8 @@ pub(crate) fn run(
         Command::Flow(given) => flow::run(given, general),
         Command::Stress(given) => stress::run(given, general),
         Command::Explain(explain) => scene::explain(explain, general),
+        Command::Collisions(given) => kinetics::collisions(given, general),
+        Command::Kinetics(given) => kinetics::kinetics(given, general),
         Command::Sweep(given) => sweep::run(given, general),
         Command::Sensitivity(given) => sensitivity::run(given, general),
         Command::Merge(given) => sweep::merge(given, general),

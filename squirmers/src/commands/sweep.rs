@@ -139,7 +139,7 @@ pub(super) fn merge(
         "{} rows of {} shares in {}",
         merged.rows,
         merged.shares,
-        general.out.join("sweep.csv").display()
+        general.out.join(&merged.file).display()
     );
     Ok(())
 }

@@ -9,6 +9,7 @@ mod findings;
 mod flows;
 mod fluid;
 mod hard_cases;
+mod kinetics;
 mod maps;
 mod off_plane;
 mod outcomes;
@@ -95,7 +96,7 @@ pub(crate) fn write(
     }
     content
         .sections
-        .push(off_plane::section(&models, sweep, out)?);
+        .push(off_plane::section((methods, &models), options, sweep, out)?);
     content.sections.push(effects::section(&models)?);
     content
         .sections

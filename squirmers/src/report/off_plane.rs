@@ -1,5 +1,6 @@
 //! The section "Off the plane": what an offset out of the plane does, to first order and in full.
 
+use super::kinetics::kinetics;
 use super::written;
 use crate::error::CommandError;
 use crate::page::{Section, Table};
@@ -8,11 +9,12 @@ use compare::numbers::{self, rounded};
 use compare::output::OutputFolder;
 use compare::study::sensitivity::{Part, SensitivityCase, SensitivityStudy};
 use compare::sweep::{RunChoices, SweepOptions};
-use compare::{Method, Model};
+use compare::{Method, Model, ModelOptions};
 
 /// The study of the paper's encounters, written into `out`.
 pub(super) fn section(
-    models: &[Model],
+    (methods, models): (&[Method], &[Model]),
+    options: &ModelOptions,
     sweep: &SweepOptions,
     out: &OutputFolder,
 ) -> Result<Section, CommandError> {
@@ -29,7 +31,7 @@ pub(super) fn section(
     let mut cases = Vec::new();
     study.run(&mut |case| cases.push(case))?;
     let csv = out.read("sensitivity.csv").unwrap_or_default();
-    Ok(Section {
+    let mut section = Section {
         id: "off-plane".to_owned(),
         title: "Off the plane".to_owned(),
         finding: finding(&cases),
@@ -48,7 +50,13 @@ pub(super) fn section(
             &csv,
         )?],
         ..Section::default()
-    })
+    };
+    let suspensions = kinetics(methods, options, sweep, out)?;
+    section.finding = [section.finding, suspensions.finding].join(" ");
+    section.prose.extend(suspensions.prose);
+    section.figures.extend(suspensions.figures);
+    section.tables.extend(suspensions.tables);
+    Ok(section)
 }
 
 /// The case that a small offset changes most by exact hydrodynamics, and what lubrication theory says of it.

@@ -104,6 +104,9 @@ pub(super) fn caption(file_name: &str) -> &'static str {
     } else if file_name.contains("cargo") {
         "Displacement of the passive sphere along the swimmer's first direction (upper row) and across it, towards the \
          swimmer's path (lower row), for spheres of λ times the swimmer's radius."
+    } else if file_name.contains("kinetics") {
+        "Coefficients of a dilute suspension by its collisions, over the number of squirmers in a volume, and share of the pairs that do \
+         not part. Bars: two standard errors of the sampling to each side."
     } else if file_name.contains("fates") {
         "Share of each outcome."
     } else if file_name.contains("trust-dz") {

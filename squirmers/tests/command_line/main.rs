@@ -54,6 +54,8 @@ fn no_command_prints_help_and_every_command_has_an_example() {
         "merge",
         "ratios",
         "cargo",
+        "collisions",
+        "kinetics",
     ] {
         let output = Command::new(env!("CARGO_BIN_EXE_squirmers"))
             .args([command, "--help"])
