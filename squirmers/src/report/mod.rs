@@ -8,6 +8,11 @@ mod errors;
 mod findings;
 mod flows;
 mod fluid;
+#[cfg_attr(
+    not(test),
+    expect(dead_code, reason = "the section that shows it comes with others")
+)]
+mod growth;
 mod hard_cases;
 mod maps;
 mod outcomes;
