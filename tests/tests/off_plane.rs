@@ -7,8 +7,8 @@ use std::sync::LazyLock;
 use compare::{Method, Model, ModelOptions};
 use nalgebra::{Complex, Vector3};
 use scene::{
-    BoundState, LoadSet, Orientation, Plan, Pose, Repulsion, RunOptions, Scene, Squirmer,
-    bound_states, run_plan,
+    BoundState, LoadSet, Orientation, Perturbation, Plan, Pose, Repulsion, RunOptions, Scene,
+    Squirmer, bound_states, run_plan, run_with_tangents,
 };
 
 fn model(method: Method) -> Model {
@@ -94,25 +94,55 @@ fn headings_along_the_line_of_centres_leave_it_alike_in_and_out_of_the_plane() {
     }
 }
 
+/// The scene that starts in a state, with these components out of the plane.
+fn scene_of(state: &BoundState, beta: f64, z: Vector3<f64>) -> Scene {
+    let squirmer = Squirmer::with_beta(1.0, beta).unwrap();
+    let heading = |angle: f64| Vector3::new(angle.cos(), angle.sin(), 0.0);
+    let [one, two] = state.angles_rad;
+    let tilted = |p: Vector3<f64>, z: f64| p + Vector3::z() * z;
+    let line = tilted(Vector3::x(), z[0]).normalize();
+    let pose = |position, orientation| Pose {
+        position,
+        orientation: Orientation::Vector(orientation),
+    };
+    let start = [
+        pose(Vector3::zeros(), tilted(heading(one), z[1])),
+        pose(line * (2.0 + state.gap.eps()), tilted(-heading(two), z[2])),
+    ];
+    Scene::new([squirmer; 2], start, Some(Repulsion::PAPER), None).unwrap()
+}
+
+/// A state that attracts in the plane forgets how a heading was turned in it, however long it turns.
+#[test]
+fn tangents_of_long_orbits_stay_on_their_spheres() {
+    let mut checked = 0;
+    let attract = states().filter(|(_, _, state)| !state.is_neutral() && state.growth() < 0.0);
+    for (model, beta, state) in attract {
+        let scene = scene_of(&state, beta, Vector3::zeros());
+        let p = scene.start[0].orientation.vector().unwrap();
+        let turned = Perturbation {
+            orientations: [Vector3::z().cross(&p), Vector3::zeros()],
+            ..Perturbation::NONE
+        };
+        let options = RunOptions {
+            tolerance: 1e-9,
+            ..RunOptions::default()
+        };
+        let tangents = run_with_tangents(&scene, &**model, &options, &[turned]).unwrap();
+        let end = tangents.end[0].orientations.map(|p| p.norm());
+        let what = format!("{} {beta} {state:?}", model.method());
+        assert!(end.iter().all(|change| *change < 20.0), "{what}: {end:?}");
+        checked += 1;
+    }
+    assert!(checked >= 4, "{checked} states");
+}
+
 #[test]
 fn a_tilted_state_leaves_its_plane_as_its_matrix_says() {
     const TILT: f64 = 1e-5;
     for (model, beta, state) in states().filter(|(_, _, state)| state.gap.eps() < 0.9) {
-        let squirmer = Squirmer::with_beta(1.0, beta).unwrap();
-        let heading = |angle: f64| Vector3::new(angle.cos(), angle.sin(), 0.0);
-        let [one, two] = state.angles_rad;
         let z = Vector3::new(0.3, 1.0, -0.7);
-        let tilted = |p: Vector3<f64>, z: f64| p + Vector3::z() * (TILT * z);
-        let line = tilted(Vector3::x(), z[0]).normalize();
-        let pose = |position, orientation| Pose {
-            position,
-            orientation: Orientation::Vector(orientation),
-        };
-        let start = [
-            pose(Vector3::zeros(), tilted(heading(one), z[1])),
-            pose(line * (2.0 + state.gap.eps()), tilted(-heading(two), z[2])),
-        ];
-        let scene = Scene::new([squirmer; 2], start, Some(Repulsion::PAPER), None).unwrap();
+        let scene = scene_of(&state, beta, z * TILT);
         let plan = Plan::new(&scene).unwrap().in_three_dimensions();
         let options = RunOptions {
             tolerance: 1e-12,

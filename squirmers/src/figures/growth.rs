@@ -24,7 +24,7 @@ const POWERS: std::ops::RangeInclusive<i32> = -1..=3;
 /// What a point is, where it has no colour of the scale.
 const STAYS: Fill = Fill::new(Colour(235, 235, 235), Hatch::Rising);
 const STAYS_IN_THE_PLANE: Fill = Fill::new(Colour(213, 94, 0), Hatch::Falling);
-const UNDEFINED: Fill = Fill::new(Colour(150, 150, 150), Hatch::Crossed);
+const UNDEFINED: Fill = Fill::new(Colour(120, 120, 120), Hatch::Crossed);
 
 /// Fills without a growth of their own, in the order of the legend.
 const FILLS: [Fill; 4] = [STAYS, STAYS_IN_THE_PLANE, UNDEFINED, outcome_fill(None)];
@@ -228,7 +228,7 @@ mod tests {
         let svg = growth(&maps, 0.1).unwrap();
         for named in [
             "≤ 10 rad/a",
-            "> 10 rad/a",
+            "&gt; 10 rad/a",
             "undefined",
             "lt, β = 5",
             "growth (rad/a)",

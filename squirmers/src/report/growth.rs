@@ -14,7 +14,7 @@ use compare::study::maps::{BoundRow, Grid, GrowthShares, Maps, Pair, bound_rows,
 use compare::sweep::SweepOptions;
 
 /// Points a side of the maps.
-const GRID: usize = 16;
+const GRID: usize = 10;
 
 /// Tolerance of the integrator, as in other maps.
 const TOLERANCE: f64 = 1e-7;

@@ -1,7 +1,9 @@
 //! What an offset out of the plane becomes, over the plane of initial directions: where motion in a plane is a fiction.
 
 use nalgebra::{DMatrix, SVector, Vector3};
-use scene::{Outcome, Perturbation, RunOptions, Scene, TangentRun, run_with_tangents};
+use scene::{
+    Outcome, Perturbation, Plan, RunOptions, Scene, TangentRun, run_plan, run_with_tangents,
+};
 use serde::{Deserialize, Serialize};
 
 use super::grid::Pair;
@@ -186,15 +188,13 @@ fn tangents(
     options: &RunOptions,
 ) -> Result<TangentRun, CompareError> {
     let scene = pair.scene(delta, sigma)?;
-    let run = |directions: &[Perturbation]| -> Result<TangentRun, CompareError> {
-        Ok(run_with_tangents(&scene, &**model, options, directions)?)
-    };
-    let tangents = run(&[raised()])?;
-    if stays(tangents.run.outcome) {
-        run(&starts(&scene)?)
+    let plan = Plan::new(&scene)?.in_three_dimensions();
+    let directions = if stays(run_plan(&plan, &**model, options)?.outcome) {
+        starts(&scene)?.to_vec()
     } else {
-        Ok(tangents)
-    }
+        vec![raised()]
+    };
+    Ok(run_with_tangents(&scene, &**model, options, &directions)?)
 }
 
 impl Row for GrowthRow {
