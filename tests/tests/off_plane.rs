@@ -179,6 +179,7 @@ fn regress_bound_states_that_attract_in_the_plane_are_left_in_space_by_pullers()
     };
     close(&attract(Method::Exact, 1.0), 0.12988);
     close(&attract(Method::Exact, 5.0), 2.0868);
+    close(&attract(Method::Lt, -5.0), -0.19656);
     close(&attract(Method::LtCorrected, -5.0), -0.17064);
     for beta in [0.0, -1.0, -5.0] {
         assert_eq!(attract(Method::Exact, beta).len(), 0, "{beta}");

@@ -320,7 +320,10 @@ fn tangents_keep_the_symmetries_of_the_motion() {
                 for (a, b) in vectors(&expected).iter().zip(vectors(found)) {
                     let off = (a - b).norm() / a.norm().max(1.0);
                     let what = format!("{}, {acts:?}, scene {seed}", model.method());
-                    assert!(off < 1e-9, "{what}, direction {i}: {off:e}");
+                    // The last one alone changes the gap, and with it reads the slopes of a table, which jump where its pieces meet: steps that
+                    // land there differ by its tolerance.
+                    let bound = if i == 6 { 1e-8 } else { 1e-9 };
+                    assert!(off < bound, "{what}, direction {i}: {off:e}");
                 }
             }
         });

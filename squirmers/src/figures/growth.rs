@@ -209,6 +209,17 @@ mod tests {
     }
 
     #[test]
+    fn pairs_that_stay_near_the_plane_are_told_from_those_that_leave_it() {
+        let fill =
+            |outcome: &str, status: &str, growth| special(&row(outcome, status, growth), 0.1);
+        assert_eq!(fill("scattered", "known", 30.0), None);
+        assert_eq!(fill("pairwise", "known", 9.0), Some(0));
+        assert_eq!(fill("pairwise", "known", 11.0), Some(1));
+        assert_eq!(fill("scattered", "grazing", f64::NAN), Some(2));
+        assert_eq!(fill("failed", "failed", f64::NAN), Some(3));
+    }
+
+    #[test]
     fn larger_growth_is_darker() {
         let scale = [0.01, 0.1, 1.0, 10.0, 100.0, 1e3, 1e6].map(|g| lightness(colour(g)));
         assert!(scale.windows(2).all(|pair| pair[0] >= pair[1]), "{scale:?}");
