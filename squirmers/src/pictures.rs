@@ -1,7 +1,7 @@
 //! The pictures that a command writes, with their file names.
 
 use crate::error::CommandError;
-use crate::figures::{self, FigureError};
+use crate::figures::{self, FigureError, GrowthMap};
 use compare::judge::LeaderRow;
 use compare::numbers::written;
 use compare::study::cargo::CargoRow;
@@ -130,6 +130,11 @@ pub(crate) fn of_trust_against_offset(
         picture(name, figures::trust_against_offset(alike))
     });
     drawn.filter_map(Result::transpose).collect()
+}
+
+/// Picture of the growth of an offset out of the plane, in radii, with a panel for each map; none without maps.
+pub(crate) fn of_growth(maps: &[GrowthMap], offset: f64) -> Result<Option<Picture>, CommandError> {
+    picture("growth.svg".to_owned(), figures::growth(maps, offset))
 }
 
 /// Picture of scores against time; none if no model has both.

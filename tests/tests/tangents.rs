@@ -3,15 +3,17 @@
 #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use compare::{Method, Model, ModelOptions};
+use exact::Exact;
 use lt::{Form, UnlikeLubrication};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 use scene::{
     Configuration, Gravity, Hydrodynamics, Isolated, LoadSet, Orientation, Outcome, Perturbation,
-    Plan, Pose, Repulsion, Run, RunOptions, Scene, SceneError, Squirmer, TangentRun, Variation,
-    rates, run, run_with_tangents, run_with_tangents_by_ratio,
+    Plan, Pose, Repulsion, Run, RunOptions, Scene, SceneError, Squirmer, TableOptions, Tabulated,
+    TangentRun, Variation, rates, run, run_with_tangents, run_with_tangents_by_ratio,
 };
 
 /// Numbers that look random, the same at each run: the golden ratio's multiples, shuffled (splitmix64).
@@ -118,12 +120,14 @@ impl Numbers {
     }
 }
 
+const TABULATED: LoadSet = LoadSet {
+    swirl: 2,
+    ..LoadSet::all(3)
+};
+
 fn model(method: Method, ratio: f64) -> Model {
     let options = ModelOptions {
-        tabulated: LoadSet {
-            swirl: 2,
-            ..LoadSet::all(3)
-        },
+        tabulated: TABULATED,
         ratios: vec![ratio],
         ..ModelOptions::default()
     };
@@ -257,11 +261,31 @@ fn val_tangents_are_the_differences_of_200_random_scenes() {
     }
 }
 
+/// The exact model as a table a thousand times as fine as the one that ships.
+fn finely_tabulated(ratio: f64) -> Tabulated {
+    let options = TableOptions {
+        set: TABULATED,
+        tolerance: 1e-12,
+        smallest_gap: 1e-3,
+    };
+    let exact = Exact::of_ratio(ratio).unwrap();
+    Tabulated::build(Arc::new(exact), options, &|_| {}).unwrap()
+}
+
 /// What turns a pair, or moves it, turns or moves all that becomes of it; what starts later ends later.
 #[test]
 fn tangents_keep_the_symmetries_of_the_motion() {
     let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
-    for (model, acts) in kinds() {
+    for (shipped, acts) in kinds() {
+        // What is tabulated jumps where pieces meet, by up to its interpolation error: the linearisation of either side does not know it. Exact loads of unlike
+        // radii have a noise of 6e-10, and no table of them is finer.
+        let tight = (shipped.method() == Method::Exact).then(|| finely_tabulated(acts.radius));
+        let model: &dyn Hydrodynamics = tight.as_ref().map_or(&*shipped, |table| table);
+        let method = shipped.method();
+        let jumps = tight
+            .as_ref()
+            .map_or(0.0, |table| table.summary().interpolation_error);
+        let bound = 1e-9 + 10.0 * jumps;
         (0..10).into_par_iter().for_each(|seed| {
             let of = Numbers::random(&mut Random(seed), acts);
             let scene = of.scene(&of, 0.0, acts).unwrap();
@@ -287,7 +311,7 @@ fn tangents_keep_the_symmetries_of_the_motion() {
                     let lone = Isolated::of_ratio(acts.radius);
                     rates(&plan.clone().without_repulsion(), &lone, at, 1)
                 } else {
-                    rates(&plan, &*model, at, 1)
+                    rates(&plan, model, at, 1)
                 };
                 let rates = rates.unwrap();
                 let opening = at.gap.eps() * rates.ln_gap;
@@ -304,7 +328,7 @@ fn tangents_keep_the_symmetries_of_the_motion() {
                 ..Perturbation::NONE
             };
             let directions: Vec<_> = turned.into_iter().chain(moved).chain([later]).collect();
-            let tangents = run_with_tangents(&scene, &*model, &TIGHT, &directions).unwrap();
+            let tangents = run_with_tangents(&scene, model, &TIGHT, &directions).unwrap();
             let end = &tangents.run.end;
             let expected = (axes.into_iter())
                 .map(|axis| Variation {
@@ -320,8 +344,8 @@ fn tangents_keep_the_symmetries_of_the_motion() {
                 let vectors = |of: &Variation| [of.positions, of.orientations].concat();
                 for (a, b) in vectors(&expected).iter().zip(vectors(found)) {
                     let off = (a - b).norm() / a.norm().max(1.0);
-                    let what = format!("{}, {acts:?}, scene {seed}", model.method());
-                    assert!(off < 1e-9, "{what}, direction {i}: {off:e}");
+                    let what = format!("{}, {acts:?}, scene {seed}", method);
+                    assert!(off < bound, "{what}, direction {i}: {off:e}");
                 }
             }
         });

@@ -13,7 +13,9 @@ use crate::scene_run::SampleRow;
 use crate::study::cargo::CargoRow;
 use crate::study::flow::FlowRow;
 use crate::study::kinetics::{CollisionRow, KineticsRatioRow, KineticsRow};
-use crate::study::maps::{BoundExample, BoundRow, FateRow, ScatterRow, TrustRow, TrustShares};
+use crate::study::maps::{
+    BoundExample, BoundRow, FateRow, GrowthRow, GrowthShares, ScatterRow, TrustRow, TrustShares,
+};
 use crate::study::panels::TrajectoryRow;
 use crate::study::ratios::RatioRow;
 use crate::study::sensitivity::{DerivativeRow, SensitivityRow};
@@ -52,7 +54,7 @@ const fn file<R: Columns>(
 }
 
 /// Every CSV file. Files with the same kind of row stand together.
-pub const FILES: [CsvFile; 45] = [
+pub const FILES: [CsvFile; 47] = [
     file::<LoadRow>("loads.csv", &["loads"], "Loads at given gaps."),
     file::<EncounterRow>(
         "head-on.csv",
@@ -104,7 +106,21 @@ pub const FILES: [CsvFile; 45] = [
         &["report"],
         "Public codes and the models of this workspace.",
     ),
-    file::<BoundRow>("bound-states.csv", &["trust", "report"], "Bound states."),
+    file::<BoundRow>(
+        "bound-states.csv",
+        &["trust", "growth", "report"],
+        "Bound states, stable or not, in the plane and in three dimensions.",
+    ),
+    file::<GrowthRow>(
+        "growth.csv",
+        &["growth", "report"],
+        "Growth of offsets out of the plane over the incoming angles.",
+    ),
+    file::<GrowthShares>(
+        "growth-shares.csv",
+        &["growth", "report"],
+        "Share of the incoming angles for which motion in the plane is a fiction.",
+    ),
     file::<TrustRow>(
         "trust.csv",
         &["trust", "report"],

@@ -27,7 +27,7 @@ pub trait Columns {
 }
 
 /// Every unit with its meaning.
-pub const UNITS: [(&str, &str); 16] = [
+pub const UNITS: [(&str, &str); 17] = [
     ("a", "radius of a squirmer"),
     (
         "V_s",
@@ -58,6 +58,7 @@ pub const UNITS: [(&str, &str); 16] = [
     ("mu a V_s^2", "power"),
     ("mu a^3", "integral of a stresslet over time"),
     ("deg", "degrees, anticlockwise positive"),
+    ("rad/a", "radians per radius of displacement"),
     ("s", "seconds of wall-clock time"),
     ("MiB", "2^20 bytes of memory"),
     ("-", "none: pure numbers and words"),

@@ -4,10 +4,12 @@
 //! system of its own, `dr/dt = f(r)`, and its fixed points are the bound states of the paper's Fig.
 //! 1(c). Trajectories find those that attract; here Newton's method, begun all over the plane, finds
 //! the others too, and the eigenvalues of the Jacobian tell how fast each is left or approached.
+//! What is out of the plane moves by itself, to first order: whether a state holds in space as well is a
+//! matter of another matrix, of three.
 
 use std::f64::consts::{PI, TAU};
 
-use nalgebra::{Complex, Matrix3};
+use nalgebra::{Complex, Matrix3, SMatrix, Vector3};
 
 use super::Outcome;
 use super::chart::Chart as _;
@@ -15,6 +17,7 @@ use super::coordinates::Planar;
 use super::equations::{Absent, PairMotion, Present};
 use super::outcome::{AT_REST, judge_rates};
 use super::steady::{Newton, fixed_point};
+use super::tangent::off_plane;
 use crate::ode::System;
 use crate::{Gap, Hydrodynamics, LoadSet, Repulsion, SceneError, Squirmer};
 
@@ -34,7 +37,16 @@ pub struct BoundState {
     pub speed: f64,
     /// Eigenvalues of the Jacobian of gap and orientations, in `V_s/a`, by falling real part.
     pub eigenvalues: [Complex<f64>; 3],
+    /// How the components out of the plane of the line of centres, of orientation 1 and of orientation 2, `z`, change to first order: `dz/dt` is this times
+    /// `z`, in `V_s/a`. The matrix is the same all along the way of the pair. NaN where the model does not answer nearby.
+    ///
+    /// The state turned about an axis in the plane is the same state, so that two eigenvalues say nothing: `±i` times the rate of turning. If the headings lie
+    /// along the line of centres, only one does: turned about that line nothing of the state changes.
+    pub off_plane: Matrix3<f64>,
 }
+
+/// Length of the area between the rows of x and y components, up to which the headings lie along the line of centres: above the error of a fixed point.
+const ALONG: f64 = 1e-7;
 
 impl BoundState {
     /// The largest rate, in `V_s/a`, at which something small grows in the plane; negative for a state
@@ -42,6 +54,42 @@ impl BoundState {
     #[must_use]
     pub fn growth(&self) -> f64 {
         self.eigenvalues[0].re
+    }
+
+    /// Eigenvalues of the motion out of the plane, in `V_s/a`, by falling real part, those of turning the whole pair included.
+    #[must_use]
+    pub fn eigenvalues_off_plane(&self) -> [Complex<f64>; 3] {
+        let mut eigenvalues: [Complex<f64>; 3] = self.off_plane.complex_eigenvalues().into();
+        eigenvalues.sort_by(|a, b| b.re.total_cmp(&a.re));
+        eigenvalues
+    }
+
+    /// The exponents out of the plane, in `V_s/a`, by falling real part: the eigenvalues without those of turning the whole pair. One; two if the
+    /// headings lie along the line of centres. The state turned as a whole has `z = w_x v_y - w_y v_x` of each vector `v`, for any `w`: what the matrix does
+    /// across all of these is left.
+    #[must_use]
+    pub fn exponents_off_plane(&self) -> Vec<Complex<f64>> {
+        let [one, two] = self.angles_rad;
+        let x = Vector3::new(1.0, one.cos(), -two.cos());
+        let y = Vector3::new(0.0, one.sin(), -two.sin());
+        let across = x.cross(&y);
+        if across.norm() > ALONG {
+            let n = across.normalize();
+            return vec![Complex::from(n.dot(&(self.off_plane * n)))];
+        }
+        let n = [x.cross(&Vector3::x()).normalize(), x.normalize()];
+        let basis = SMatrix::<f64, 3, 2>::from_columns(&[n[0], n[1].cross(&n[0])]);
+        let left = basis.transpose() * self.off_plane * basis;
+        let mut exponents: [Complex<f64>; 2] = left.complex_eigenvalues().into();
+        exponents.sort_by(|a, b| b.re.total_cmp(&a.re));
+        exponents.into()
+    }
+
+    /// The largest rate, in `V_s/a`, at which something small grows out of the plane, other than the whole pair turned; negative for a state to which the pair
+    /// comes back.
+    #[must_use]
+    pub fn growth_off_plane(&self) -> f64 {
+        (self.exponents_off_plane().first()).map_or(f64::NAN, |exponent| exponent.re)
     }
 
     /// Whether the state is one of a line of states, along which nothing grows or decays. A squirmer
@@ -125,6 +173,12 @@ pub fn bound_states(
             }
         }
     }
+    for state in &mut found {
+        let at = (state.gap, state.angles_rad);
+        if let Ok(matrix) = off_plane(model, squirmers, Some(repulsion), at) {
+            state.off_plane = matrix;
+        }
+    }
     found.sort_by(|a, b| a.growth().total_cmp(&b.growth()));
     Ok(found)
 }
@@ -150,6 +204,7 @@ fn bound_state_near<H: Hydrodynamics + ?Sized>(
     Some(BoundState {
         gap: Gap::from_ln(y[gap]),
         angles_rad: angles,
+        off_plane: Matrix3::repeat(f64::NAN),
         outcome: judge_rates(turning, speed),
         turning_rate_rad: turning,
         speed,

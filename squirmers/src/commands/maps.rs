@@ -71,17 +71,17 @@ pub(crate) struct TrustArguments {
 }
 
 /// The checked arguments of a command that maps.
-struct Checked {
-    models: Vec<Model>,
-    pairs: Vec<Pair>,
+pub(super) struct Checked {
+    pub(super) models: Vec<Model>,
+    pub(super) pairs: Vec<Pair>,
     grid: Grid,
     sweep: SweepOptions,
-    out: OutputFolder,
+    pub(super) out: OutputFolder,
 }
 
 impl Checked {
     /// The maps with the file name `name`. With `exact`, the models are compared with the exact one.
-    fn maps<'a>(&'a self, name: &'static str, exact: Option<&'a Model>) -> Maps<'a> {
+    pub(super) fn maps<'a>(&'a self, name: &'static str, exact: Option<&'a Model>) -> Maps<'a> {
         Maps {
             name,
             models: self.models.iter().collect(),
@@ -100,9 +100,6 @@ fn checked(
     dz: &Option<Numbers>,
     general: &GeneralArguments,
 ) -> Result<Checked, CommandError> {
-    let (methods, options) = model_options(&arguments.models, &METHODS, general)?;
-    let sweep = sweep_options(&arguments.runs, &methods)?;
-    let grid = Grid::new(arguments.grid)?;
     let g = list(&arguments.g, &[0.0]);
     let dz = list(dz, &[0.0]);
     let mut pairs = Vec::new();
@@ -111,6 +108,24 @@ fn checked(
             pairs.extend(dz.iter().map(|&dz| Pair { beta, g, dz }));
         }
     }
+    checked_maps(
+        (&arguments.models, &arguments.runs),
+        arguments.grid,
+        pairs,
+        general,
+    )
+}
+
+/// The maps of these pairs.
+pub(super) fn checked_maps(
+    (models, runs): (&ModelArguments, &RunArguments),
+    grid: usize,
+    pairs: Vec<Pair>,
+    general: &GeneralArguments,
+) -> Result<Checked, CommandError> {
+    let (methods, options) = model_options(models, &METHODS, general)?;
+    let sweep = sweep_options(runs, &methods)?;
+    let grid = Grid::new(grid)?;
     let out = general.output()?;
     let options = options.for_scenes(maps::unsymmetric_starts(&pairs))?;
     Ok(Checked {
@@ -233,7 +248,7 @@ fn write_pictures(pictures: Vec<Picture>, out: &OutputFolder) -> Result<(), Comm
     Ok(())
 }
 
-fn percent(share: f64) -> String {
+pub(super) fn percent(share: f64) -> String {
     format!("{:.2}", 100.0 * share)
 }
 

@@ -4,6 +4,7 @@ pub(crate) mod bottom_heavy;
 mod cost;
 pub(crate) mod encounters;
 mod flow;
+pub(crate) mod growth;
 mod hard_cases;
 mod judge;
 pub(crate) mod kinetics;
@@ -29,6 +30,7 @@ use crate::report;
 use crate::streams::print_line;
 use cost::CostArguments;
 use flow::FlowArguments;
+use growth::GrowthArguments;
 use hard_cases::HardCaseArguments;
 use judge::JudgeArguments;
 use kinetics::{CollisionArguments, KineticsArguments};
@@ -110,6 +112,13 @@ pub(crate) enum Command {
     #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
     #[command(mut_arg("time_limit", maps::time_limit))]
     Trust(TrustArguments),
+    /// Growth of an offset out of the plane over the incoming angles: where motion in the plane is a fiction
+    #[command(
+        after_help = "Example:\n  squirmers growth --beta 1,5 --grid 40 --method lt,exact --offset 0.1"
+    )]
+    #[command(mut_arg("method", maps::methods), mut_arg("tol", maps::tolerance))]
+    #[command(mut_arg("time_limit", maps::time_limit))]
+    Growth(GrowthArguments),
     /// Squirmers of unlike radii: outcomes over the incoming angles, and trust in lubrication theory
     #[command(
         after_help = "Example:\n  squirmers ratios --ratio 0.2,1,5 --beta 5 --beta2 -5,5 --grid 40"
@@ -240,6 +249,7 @@ pub(crate) fn run(
         Command::HardCases(cases) => hard_cases::run(cases, general),
         Command::Judge(given) => judge::run(given, general, typed),
         Command::Trust(map) => maps::trust(map, general),
+        Command::Growth(given) => growth::run(given, general),
         Command::Ratios(given) => unlike::ratios(given, general),
         Command::Cargo(given) => unlike::cargo(given, general),
         Command::Run(run) => scene::run(run, general),

@@ -8,6 +8,7 @@ mod errors;
 mod findings;
 mod flows;
 mod fluid;
+mod growth;
 mod hard_cases;
 mod kinetics;
 mod maps;
@@ -64,6 +65,7 @@ pub(crate) fn write(
     if let Some(unlike) = &unlike {
         unlike.check()?;
     }
+    off_plane::check(&models, sweep, out)?;
     let under_gravity: Vec<&Model> = (models.iter())
         .filter(|model| METHODS.contains(&model.method()))
         .collect();

@@ -1,7 +1,9 @@
 //! The section "Off the plane": what an offset out of the plane does, to first order and in full.
 
+use super::growth::{self, growth};
 use super::kinetics::kinetics;
 use super::written;
+use crate::commands::maps::METHODS;
 use crate::error::CommandError;
 use crate::page::{Section, Table};
 use crate::pictures;
@@ -11,7 +13,23 @@ use compare::study::sensitivity::{Part, SensitivityCase, SensitivityStudy};
 use compare::sweep::{RunChoices, SweepOptions};
 use compare::{Method, Model, ModelOptions};
 
-/// The study of the paper's encounters, written into `out`.
+/// The models of maps.
+fn of_maps(models: &[Model]) -> Vec<&Model> {
+    (models.iter())
+        .filter(|model| METHODS.contains(&model.method()))
+        .collect()
+}
+
+/// Checks that no finished rows of another command would be deleted.
+pub(super) fn check(
+    models: &[Model],
+    sweep: &SweepOptions,
+    out: &OutputFolder,
+) -> Result<(), CommandError> {
+    Ok(growth::maps(&of_maps(models), sweep, out)?.check()?)
+}
+
+/// The study of the paper's encounters, the maps, the bound states and what suspensions feel, written into `out`.
 pub(super) fn section(
     (methods, models): (&[Method], &[Model]),
     options: &ModelOptions,
@@ -51,6 +69,12 @@ pub(super) fn section(
         )?],
         ..Section::default()
     };
+    if let Some(growth) = growth(&of_maps(models), sweep, out)? {
+        section.finding = [section.finding, growth.finding].join(" ");
+        section.prose.extend(growth.prose);
+        section.figures.extend(growth.figures);
+        section.tables.extend(growth.tables);
+    }
     let suspensions = kinetics(methods, options, sweep, out)?;
     section.finding = [section.finding, suspensions.finding].join(" ");
     section.prose.extend(suspensions.prose);

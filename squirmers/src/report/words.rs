@@ -95,6 +95,8 @@ pub(super) fn caption(file_name: &str) -> &'static str {
          hydrodynamics."
     } else if file_name.contains("examples") {
         "Neutral squirmers from four starts, by lubrication theory (upper row) and by exact hydrodynamics (lower row)."
+    } else if file_name.contains("growth") {
+        "Angle by which an outgoing orientation turns out of the plane per offset out of it, the larger of the two; hatched where a pair does not part."
     } else if file_name.contains("scatter") {
         "Deflections (for a bound pair: change of orientation up to the end of the run), interaction time τ (at \
          gaps up to 1), and outcome."

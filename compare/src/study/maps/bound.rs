@@ -42,9 +42,44 @@ columns! {
         /// Angular frequency of the disturbance that grows fastest; 0 if it does not oscillate.
         #[unit = "V_s/a"]
         pub frequency: f64,
+        /// Largest growth rate of a small disturbance out of the plane, other than the whole pair turned about an axis in the plane; negative if all
+        /// disturbances decay.
+        #[unit = "V_s/a"]
+        pub growth_off_plane: f64,
+        /// Whether small disturbances in the plane decay: `yes`, `no`, or `neutral` if none grows and one neither grows nor decays; `unknown` if the model does not answer nearby.
+        #[unit = "-"]
+        pub stable_in_plane: &'static str,
+        /// The same of all small disturbances, in and out of the plane: `yes` for a state that attracts in three dimensions.
+        #[unit = "-"]
+        pub stable_in_space: &'static str,
         /// `true` if the state belongs to a continuous line of states, of which only this one is listed.
         #[unit = "-"]
         pub one_of_a_line: bool,
+    }
+}
+
+/// Rate, in `V_s/a`, up to which a disturbance neither grows nor decays: above the error of the rates.
+const NEITHER: f64 = 1e-5;
+
+/// Whether disturbances decay, the fastest of which grows at this rate.
+fn decay(growth: f64) -> &'static str {
+    if growth < -NEITHER {
+        "yes"
+    } else if growth <= NEITHER {
+        "neutral"
+    } else if growth.is_nan() {
+        "unknown"
+    } else {
+        "no"
+    }
+}
+
+/// The larger of two rates; one that is not known may be any.
+fn largest(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() {
+        f64::NAN
+    } else {
+        a.max(b)
     }
 }
 
@@ -62,6 +97,9 @@ impl BoundRow {
             speed: state.speed,
             growth: state.growth(),
             frequency: state.eigenvalues[0].im.abs(),
+            growth_off_plane: state.growth_off_plane(),
+            stable_in_plane: decay(state.growth()),
+            stable_in_space: decay(largest(state.growth(), state.growth_off_plane())),
             one_of_a_line: state.is_neutral(),
         }
     }

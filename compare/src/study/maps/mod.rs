@@ -1,8 +1,9 @@
-//! Maps over the plane of initial directions: outcomes, their shares, and where lubrication theory can be trusted.
+//! Maps over the plane of initial directions: outcomes, their shares, where lubrication theory can be trusted, and where the plane can.
 
 mod bound;
 mod fates;
 mod grid;
+mod growth;
 mod scatter;
 mod trust;
 
@@ -19,6 +20,7 @@ pub use bound::{BoundExample, BoundRow, bound_examples, bound_rows};
 pub use fates::Share;
 pub use fates::{FateRow, fates_of};
 pub use grid::{Grid, Pair, unsymmetric_starts};
+pub use growth::{GrowthRow, GrowthShares, growth_row, growth_shares, raised};
 pub use scatter::{ScatterRow, scatter_row};
 pub use trust::{CLASSES as TRUST_CLASSES, same_map, trust_class};
 pub use trust::{TrustRow, TrustShares, trust_rows, trust_shares};

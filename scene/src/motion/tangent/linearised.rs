@@ -72,6 +72,17 @@ impl State {
             ..self
         }
     }
+
+    /// A change without what would change the length of a unit vector of `at`. None of it is meant, and what rounding and steps leave of it would drive the
+    /// rest, and itself: on a long orbit it grew exponentially.
+    fn across(self, at: &Self) -> Self {
+        let across = |change: Vector3<f64>, unit: &Vector3<f64>| change - unit * unit.dot(&change);
+        Self {
+            line: across(self.line, &at.line),
+            orientations: [0, 1].map(|k| across(self.orientations[k], &at.orientations[k])),
+            ..self
+        }
+    }
 }
 
 /// Forces and torques of other than hydrodynamic origin, or the changes of them.
@@ -342,7 +353,7 @@ impl Linearised<'_> {
         let rates = dy[NUMBERS..].chunks_exact_mut(NUMBERS);
         let directions = self.directions.iter().zip(&self.changes_slip);
         for (((direction, changes_slip), block), into) in directions.zip(blocks).zip(rates) {
-            let change = State::read(block);
+            let change = State::read(block).across(&at);
             let mut changed =
                 self.answer(mobility, repulsion, (&at, &change), (&responses, direction));
             if *changes_slip {

@@ -5,8 +5,10 @@
 //! changes too, and with it the state (saltation).
 
 mod linearised;
+mod off_plane;
 mod perturbation;
 mod run;
 
+pub(in crate::motion) use off_plane::off_plane;
 pub use perturbation::{Perturbation, Variation};
 pub use run::{TangentRun, run_with_tangents, run_with_tangents_by_ratio};
