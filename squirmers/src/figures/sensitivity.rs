@@ -59,9 +59,11 @@ pub fn sensitivity(cases: &[SensitivityCase]) -> Result<String, FigureError> {
         if diagonal[0].0 < diagonal[1].0 {
             panel.line(&diagonal, Stroke::new(INK, 1.0, Dash::of(1)));
         }
-        for case in cases {
-            let at = case.row.method.place();
-            if let Some(point) = place(case) {
+        // Methods that agree cover each other: the first is drawn last, and every second one is open.
+        for method in methods.iter().rev() {
+            let at = method.place();
+            let mine = cases.iter().filter(|case| case.row.method == *method);
+            for point in mine.filter_map(place) {
                 panel.marker(point, colour(at), Shape::of(at), at % 2 == 0);
             }
         }

@@ -1,6 +1,6 @@
 //! What the page says of motion out of the plane: how an offset grows over the incoming angles, and which bound states exist in three dimensions.
 
-use super::findings::{number, percent};
+use super::findings::number;
 use super::written;
 use crate::commands::growth::OFFSET;
 use crate::commands::maps::SCATTER_BETA;
@@ -83,7 +83,7 @@ pub(super) fn growth(
                 "The growth is the angle by which an outgoing orientation turns out of the plane per offset out of it (squirmer 1 raised by dz/2, squirmer \
                  2 lowered by dz/2), from the linearised motion along the run in the plane; the larger of the two. Where it is larger than one over \
                  the offset, motion in the plane is a fiction: for an offset of {} radii the limit is {} rad/a. Maps have {GRID} by {GRID} points; \
-                 `squirmers growth` draws finer ones.",
+                 the command growth draws finer ones.",
                 number(OFFSET),
                 number(1.0 / OFFSET)
             ),
@@ -111,9 +111,9 @@ fn finding(shares: &[GrowthShares], states: &[BoundRow]) -> String {
     let worst = (shares.iter()).max_by(|a, b| a.fiction().total_cmp(&b.fiction()));
     let mut text = worst.map_or_else(String::new, |row| {
         format!(
-            "With an offset of {} radii out of the plane, motion in the plane is a fiction over up to {} of the incoming angles (β = {} by {}).",
+            "With an offset of {} radii out of the plane, motion in the plane is a fiction over up to {:.0} % of the incoming angles (β = {} by {}, {GRID} by {GRID} points).",
             number(row.offset),
-            percent(row.fiction()),
+            100.0 * row.fiction(),
             number(row.beta),
             row.method.in_sentence()
         )
@@ -124,7 +124,12 @@ fn finding(shares: &[GrowthShares], states: &[BoundRow]) -> String {
     });
     if all > 0 {
         text += &format!(
-            " Of {all} bound states that attract in the plane, {spatial} attract in three dimensions."
+            " Of {all} bound states that attract in the plane, {} in three dimensions.",
+            match spatial {
+                0 => "none attracts".to_owned(),
+                1 => "one attracts".to_owned(),
+                _ => format!("{spatial} attract"),
+            }
         );
     }
     text
@@ -169,8 +174,6 @@ fn states_in_words(states: &[BoundRow]) -> String {
 mod tests {
     #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
-    use std::time::Instant;
-
     use super::*;
     use crate::page::{Page, Section, render};
     use compare::{Method, ModelOptions};
@@ -186,10 +189,8 @@ mod tests {
             run: RunOptions::default(),
             time_limit: None,
         };
-        let started = Instant::now();
         let models: Vec<&Model> = models.iter().collect();
         let growth = growth(&models, &sweep, &out).unwrap().unwrap();
-        println!("{:?}", started.elapsed());
         assert!(
             growth.finding.contains("a fiction over up to"),
             "{}",

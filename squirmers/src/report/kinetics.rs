@@ -94,13 +94,16 @@ fn finding(rows: &[KineticsRatioRow]) -> String {
         row.method == Method::Lt && row.quantity == "rotation" && row.ratio.is_finite()
     };
     let told: Vec<String> = (rows.iter().filter(of))
-        .map(|row| format!("{} at β = {}", rounded(row.ratio, 2), number(row.beta)))
+        .map(|row| {
+            let (ratio, error) = (rounded(row.ratio, 2), rounded(2.0 * row.ratio_error, 2));
+            format!("{ratio} ± {error} at β = {}", number(row.beta))
+        })
         .collect();
     if told.is_empty() {
         return String::new();
     }
     format!(
-        "The rotational diffusivity of a dilute suspension by lubrication theory over that by exact hydrodynamics is {}.",
+        "The rotational diffusivity of a dilute suspension by lubrication theory over that by exact hydrodynamics is {} (with two standard errors of the sampling).",
         super::findings::listed(&told)
     )
 }

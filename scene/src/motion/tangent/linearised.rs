@@ -198,7 +198,8 @@ struct OfEach {
 }
 
 impl OfEach {
-    fn new(heading: Heading<Vector3<f64>>, line: &Vector3<f64>) -> Self {
+    /// With so many orders.
+    fn new(heading: Heading<Vector3<f64>>, line: &Vector3<f64>, count: usize) -> Self {
         let mut orders = [(
             Legendre {
                 p: 0.0,
@@ -207,7 +208,8 @@ impl OfEach {
             },
             0.0,
         ); MAX_MODES];
-        for (to, order) in orders.iter_mut().zip(legendre_with_slope(heading.cosine)) {
+        for (to, order) in (orders.iter_mut().take(count)).zip(legendre_with_slope(heading.cosine))
+        {
             *to = order;
         }
         Self {
@@ -318,7 +320,8 @@ impl Linearised<'_> {
         let at = raw.normalized();
         let [mobility, slope, by_ratio] = &*self.read;
         let [one, two] = Heading::of_both(&at.line, at.orientations);
-        let of_each = [OfEach::new(one, &at.line), OfEach::new(two, &at.line)];
+        let count = self.set.loads.modes.max(self.set.loads.swirl);
+        let of_each = [one, two].map(|heading| OfEach::new(heading, &at.line, count));
         let strengths = [0, 1].map(|k| std::array::from_fn(|n| self.squirmers[k].mode(n)));
         let swirling = [0, 1].map(|k| padded(self.squirmers[k].swirl()));
         let driven = self.driven(gap, &at);
