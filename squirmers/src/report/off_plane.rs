@@ -52,7 +52,7 @@ pub(super) fn section(
     let mut section = Section {
         id: "off-plane".to_owned(),
         title: "Off the plane".to_owned(),
-        finding: finding(&cases),
+        finding: finding(&parts, &cases),
         prose: vec![
             "Squirmer 1 starts raised by dz/2 and squirmer 2 lowered by dz/2. To first order in dz the outgoing headings tilt out of the plane; in \
              the plane they turn at second order. The derivative comes from the linearised motion, integrated beside the run; the offsets at which \
@@ -84,18 +84,17 @@ pub(super) fn section(
 }
 
 /// The case that a small offset changes most by exact hydrodynamics, and what lubrication theory says of it.
-fn finding(cases: &[SensitivityCase]) -> String {
+fn finding(parts: &[Part], cases: &[SensitivityCase]) -> String {
     let of = |method: Method| cases.iter().filter(move |case| case.row.method == method);
     let steepest = of(Method::Exact).min_by(|a, b| a.row.offset_6deg.total_cmp(&b.row.offset_6deg));
     let Some(exact) = steepest else {
         return String::new();
     };
-    let values: Vec<String> = exact
-        .values
-        .iter()
-        .map(|value| numbers::written(*value))
+    let axes = parts.first().map_or(&[][..], |part| part.points.axes());
+    let values: Vec<String> = (axes.iter().zip(&exact.values))
+        .map(|(axis, value)| format!("{} = {}", axis.name, numbers::written(*value)))
         .collect();
-    let named = format!("{}, beta and dx {}", exact.case, values.join(" and "));
+    let named = format!("{}, {}", exact.case, values.join(", "));
     let lubrication =
         of(Method::Lt).find(|case| case.case == exact.case && case.values == exact.values);
     let says = lubrication.map_or(String::new(), |lt| {
