@@ -67,7 +67,6 @@ pub(super) fn section(
             "sensitivity.csv",
             &csv,
         )?],
-        ..Section::default()
     };
     if let Some(growth) = growth(&of_maps(models), sweep, out)? {
         section.finding = [section.finding, growth.finding].join(" ");

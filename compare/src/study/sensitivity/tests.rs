@@ -1,3 +1,5 @@
+use super::case::Measured;
+use super::offsets::raised;
 use super::*;
 use crate::ModelOptions;
 

@@ -6,8 +6,11 @@
 
 mod linearised;
 mod off_plane;
+mod path;
 mod perturbation;
+mod response;
 mod run;
+mod velocity;
 
 pub(in crate::motion) use off_plane::off_plane;
 pub use perturbation::{Perturbation, Variation};
