@@ -23,8 +23,13 @@ pub fn described(out: &Path) -> Vec<String> {
         let file = FILES.iter().find(|file| file.name == *name);
         let file = file.unwrap_or_else(|| panic!("'{name}' is not in the list of columns"));
         let mut expected = names(file.columns);
-        if name == "sweep.csv" {
-            expected.insert(0, "dx");
+        // Rows of families begin with the parameters that are varied.
+        match name.as_str() {
+            "sweep.csv" => expected.insert(0, "dx"),
+            "sensitivity.csv" | "sensitivity-derivatives.csv" => {
+                expected.splice(0..0, ["case", "beta", "dx"]);
+            }
+            _ => {}
         }
         let mut reader = csv::Reader::from_path(out.join(name)).unwrap();
         assert_eq!(*reader.headers().unwrap(), expected, "{name}");
@@ -48,6 +53,10 @@ fn every_csv_file_of_a_command_is_listed_with_its_columns() {
         "bottom-heavy --method lt",
         "run SCENE",
         "sweep opposed --vary dx=1 --method lt",
+        "sensitivity opposed --vary beta=5 --vary dx=1 --method lt",
+        "collisions --count 16 --method lt",
+        "kinetics --beta 5 --count 16 --replications 2 --method lt",
+        "growth --beta 5 --grid 4 --method lt",
         "hard-cases --only no-repulsion",
         "judge a=PEER --grid 0",
     ] {

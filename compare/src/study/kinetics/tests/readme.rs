@@ -62,3 +62,23 @@ fn readme_coefficients_are_those_of_the_page() {
         }
     }
 }
+
+/// README and docs/FINDINGS.md say what lubrication theory makes of the rotational diffusivity: the ratios of the table.
+#[test]
+fn readme_says_of_the_rotational_diffusivity_what_the_table_says() {
+    let rows = table();
+    let rotation = |method: Method, beta: f64| {
+        let mut found = rows.iter();
+        let row = found.find(|(m, b, _)| *m == method && (b - beta).abs() < 1e-9);
+        row.unwrap().2[2]
+    };
+    let ratio = |beta: f64| rotation(Method::Lt, beta) / rotation(Method::Exact, beta);
+    let [pushers, neutral, pullers] = [-5.0, 0.0, 5.0].map(ratio);
+    let told = format!("is {pushers:.2}, {neutral:.1} and {pullers:.2} times the exact one");
+    for file in ["README.md", "docs/FINDINGS.md"] {
+        let path = format!("{}/../{file}", env!("CARGO_MANIFEST_DIR"));
+        let text = std::fs::read_to_string(path).unwrap();
+        let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(words.contains(&told), "{file} lacks: {told}");
+    }
+}
