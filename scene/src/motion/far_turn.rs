@@ -101,20 +101,52 @@ fn drift_by(
 /// The integral from now to infinity of the rate at which the stresslet of a squirmer with `B_2` (times the square of its radius) and
 /// orientation `p` turns a sphere at `s0 + w t` from it, a rotation vector in radians.
 pub(super) fn turn_by(b2: f64, p: Vector3<f64>, s0: Vector3<f64>, w: Vector3<f64>) -> Vector3<f64> {
+    // Integrals over x from q of x^n (1 - q^2 + x^2)^(-5/2), without a difference of like numbers.
+    let integrals = |q: f64| {
+        [
+            (2.0 + q) / (3.0 * (1.0 + q).powi(2)),
+            1.0 / 3.0,
+            (1.0 + q + q * q) / (3.0 * (1.0 + q)),
+        ]
+    };
     let (speed, r) = (w.norm(), s0.norm());
-    let ahead = w / speed;
-    // Along the path from the point nearest to the squirmer, in units of the distance now.
+    turn_along(p, s0, w, integrals) * (-1.5 * b2 / (speed * r * r))
+}
+
+/// The same of `t` times that rate.
+pub(super) fn turn_moment_by(
+    b2: f64,
+    p: Vector3<f64>,
+    s0: Vector3<f64>,
+    w: Vector3<f64>,
+) -> Vector3<f64> {
+    // Integrals over x from q of (x - q) x^n (1 - q^2 + x^2)^(-5/2).
+    let integrals = |q: f64| {
+        [
+            1.0 / (3.0 * (1.0 + q).powi(2)),
+            1.0 / (3.0 * (1.0 + q)),
+            (2.0 + q) / (3.0 * (1.0 + q)),
+        ]
+    };
+    let (speed, r) = (w.norm(), s0.norm());
+    turn_along(p, s0, w, integrals) * (-1.5 * b2 / (speed * speed * r))
+}
+
+/// The sum of `(p.s) p x s` along a path, with integrals over the place `x` on it to the powers 0, 1 and 2, as functions of the place `q` now. Places are
+/// counted from the point nearest to the squirmer, in units of the distance now.
+fn turn_along(
+    p: Vector3<f64>,
+    s0: Vector3<f64>,
+    w: Vector3<f64>,
+    integrals: impl Fn(f64) -> [f64; 3],
+) -> Vector3<f64> {
+    let (ahead, r) = (w / w.norm(), s0.norm());
     let q = s0.dot(&ahead) / r;
     let nearest = s0 / r - ahead * q;
-    // Integrals over x from q of x^n (1 - q^2 + x^2)^(-5/2), without a difference of like numbers.
-    let i0 = (2.0 + q) / (3.0 * (1.0 + q).powi(2));
-    let i1 = 1.0 / 3.0;
-    let i2 = (1.0 + q + q * q) / (3.0 * (1.0 + q));
+    let [i0, i1, i2] = integrals(q);
     let (along, across) = (p.dot(&ahead), p.dot(&nearest));
     let (turn_along, turn_across) = (p.cross(&ahead), p.cross(&nearest));
-    let integral =
-        turn_across * (across * i0 + along * i1) + turn_along * (across * i1 + along * i2);
-    integral * (-1.5 * b2 / (speed * r * r))
+    turn_across * (across * i0 + along * i1) + turn_along * (across * i1 + along * i2)
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@
 
 use nalgebra::{Rotation3, Vector3};
 
-use super::far_turn::{far_drift, turn_by};
+use super::far_turn::{far_drift, turn_by, turn_moment_by};
 use crate::frame::Configuration;
 use crate::{Gap, SceneError, Squirmer};
 
@@ -47,24 +47,6 @@ pub fn from_infinity(
     now.line_angle_rad = now.line.y.atan2(now.line.x);
     now.angles_rad = now.orientations.map(|p| p.y.atan2(p.x));
     Ok(Some(now))
-}
-
-/// The integral of `t` times the rate at which the stresslet of a squirmer with `B_2` (times the square of its radius) and orientation `p`
-/// turns a sphere at `s0 + w t` from it, from now to infinity.
-fn turn_moment_by(b2: f64, p: Vector3<f64>, s0: Vector3<f64>, w: Vector3<f64>) -> Vector3<f64> {
-    let (speed, r) = (w.norm(), s0.norm());
-    let ahead = w / speed;
-    // As in `turn_by`: integrals over x from q of (x - q) x^n (1 - q^2 + x^2)^(-5/2).
-    let q = s0.dot(&ahead) / r;
-    let nearest = s0 / r - ahead * q;
-    let i0 = 1.0 / (3.0 * (1.0 + q).powi(2));
-    let i1 = 1.0 / (3.0 * (1.0 + q));
-    let i2 = (2.0 + q) / (3.0 * (1.0 + q));
-    let (along, across) = (p.dot(&ahead), p.dot(&nearest));
-    let (turn_along, turn_across) = (p.cross(&ahead), p.cross(&nearest));
-    let integral =
-        turn_across * (across * i0 + along * i1) + turn_along * (across * i1 + along * i2);
-    integral * (-1.5 * b2 / (speed * speed * r))
 }
 
 #[cfg(test)]
