@@ -5,7 +5,7 @@
 //! `V (J x p)` with the first moment `J = - integral of t w(t) dt`, which falls only as `1/(|V|^2 s0)`. The other's flow has carried it
 //! besides (`far_drift`). All three are closed forms; what is left out is of second order in the far field, or falls one order faster.
 
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::Rotation3;
 
 use super::far_turn::{far_drift, turn_by, turn_moment_by};
 use crate::frame::Configuration;
@@ -55,6 +55,7 @@ mod tests {
 
     use super::*;
     use approx::assert_relative_eq;
+    use nalgebra::Vector3;
 
     /// The rate by which a stresslet turns a sphere at `s`.
     fn rate(b2: f64, p: Vector3<f64>, s: Vector3<f64>) -> Vector3<f64> {
