@@ -120,6 +120,40 @@ fn a_table_agrees_with_its_model_between_its_nodes() {
     }
 }
 
+/// Both the derivative of a table's polynomials and the difference of its model's own coefficients, from contact to far apart.
+#[test]
+fn val_a_table_gives_the_slopes_of_its_model() {
+    let set = LoadSet {
+        swirl: 2,
+        ..LoadSet::all(3)
+    };
+    let model = Made {
+        seam: None,
+        noise: 1e-14,
+    };
+    let options = TableOptions {
+        set,
+        tolerance: 1e-11,
+        smallest_gap: 1e-3,
+    };
+    let table = Tabulated::build(Arc::new(model), options, &|_| ()).unwrap();
+    for eps in [2e-3, 0.0317, 0.4, 1.7, 2.3, 9.1, 77.0] {
+        let slope = |model: &dyn Hydrodynamics| {
+            let mut read_into = [MobilityOfEach::default(), MobilityOfEach::default()];
+            let [value, slope] = &mut read_into;
+            let gap = Gap::new(eps).unwrap();
+            (model.interacting_mobility_with_slope(gap, read(set), [value, slope])).unwrap();
+            slope.named(read(set))
+        };
+        let (found, truth) = (slope(&table), slope(table.model()));
+        assert_eq!(found.len(), truth.len());
+        for ((name, a), (_, b)) in found.into_iter().zip(truth) {
+            let off = (a - b).abs() / b.abs().max(1.0);
+            assert!(off < 1e-7, "{name} at {eps}: {a}, {b}");
+        }
+    }
+}
+
 #[test]
 fn a_table_with_swirl_agrees_with_its_model_and_leaves_the_other_coefficients_as_they_are() {
     let model = Made {

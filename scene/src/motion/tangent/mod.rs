@@ -15,3 +15,6 @@ mod velocity;
 pub(in crate::motion) use off_plane::off_plane;
 pub use perturbation::{Perturbation, Variation};
 pub use run::{TangentRun, run_with_tangents, run_with_tangents_by_ratio};
+
+#[cfg(test)]
+mod tests;
