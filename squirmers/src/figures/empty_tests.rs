@@ -442,9 +442,9 @@ fn sensitivity_without_finite_offsets_or_with_one_case() {
     };
     let svg = sensitivity(std::slice::from_ref(&case)).unwrap();
     has_no_stray_number(&svg);
-    assert!(svg.contains("0 of 1 cases"), "{svg}");
+    assert!(svg.contains("0 of 1 offsets"), "{svg}");
     (case.row.linear_6deg, case.row.offset_6deg) = (0.3, 0.4);
     let svg = sensitivity(&[case]).unwrap();
     has_no_stray_number(&svg);
-    assert!(svg.contains("1 of 1 cases"), "{svg}");
+    assert!(svg.contains("1 of 1 offsets"), "{svg}");
 }

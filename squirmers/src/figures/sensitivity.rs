@@ -1,17 +1,20 @@
 //! Offsets out of the plane by the motion itself against those by its derivative.
 
+use std::ops::Range;
+
 use super::FigureError;
-use super::canvas::{Axes, Axis, Entry, Key, Layout};
+use super::canvas::{Axes, Axis, Layout};
 use super::range::decades;
 use super::style::{Dash, INK, Shape, Stroke, colour};
 use compare::Method;
 use compare::study::sensitivity::SensitivityCase;
 
-/// Size of the plot, in nominal pixels.
-const PLOT: (f64, f64) = (440.0, 400.0);
+/// Size of a plot, in nominal pixels, and number of plots side by side.
+const PLOT: (f64, f64) = (270.0, 250.0);
+const COLUMNS: usize = 2;
 
-/// Draws the offset at which an outgoing heading turns by 6 degrees, by the motion as a function of that by its derivative, on logarithmic axes. Cases below the
-/// diagonal are more sensitive than their derivative says.
+/// Draws the offset at which an outgoing heading turns by 6 degrees, by the motion as a function of that by its derivative, on logarithmic axes, with a panel for each
+/// method. Cases below the diagonal are more sensitive than their derivative says.
 ///
 /// # Errors
 /// [`FigureError::Empty`] if there are no cases.
@@ -31,42 +34,40 @@ pub fn sensitivity(cases: &[SensitivityCase]) -> Result<String, FigureError> {
         decades(places().map(|at| at.0)),
         decades(places().map(|at| at.1)),
     );
-    let drawn = places().count();
-    let legend: Vec<Entry> = (methods.iter())
-        .map(|method| {
-            let at = method.place();
-            let stroke = Stroke::new(colour(at), 0.0, Dash::of(0));
-            let key = Key::MarkedLine(stroke, Shape::of(at));
-            (key, method.title().to_owned())
-        })
-        .collect();
-    let layout = Layout::new(PLOT, 1, 1);
+    let columns = COLUMNS.min(methods.len());
+    let layout = Layout::new(PLOT, columns, methods.len().div_ceil(columns));
     let title = "Offset out of the plane that turns an outgoing heading by 6°";
-    let mut canvas = layout.canvas(title, &[legend]);
-    let ticks =
-        |range: &std::ops::Range<f64>| ((range.end - range.start).round() as usize + 1).min(9);
-    let axes = Axes {
-        title: format!(
-            "{drawn} of {} cases, whose offsets are finite; dashed: both alike",
-            cases.len()
-        ),
-        x: Axis::powers(&x, "by the derivative (a)", ticks(&x)),
-        y: Axis::powers(&y, "by the motion (a)", ticks(&y)),
-    };
-    let corner = layout.corner(0, 0);
+    let mut canvas = layout.canvas(title, &[]);
+    let ticks = |range: &Range<f64>| ((range.end - range.start).round() as usize + 1).min(9);
     let diagonal = [x.start.max(y.start), x.end.min(y.end)].map(|at| (at, at));
-    canvas.panel(corner, PLOT, axes, |panel| {
-        if diagonal[0].0 < diagonal[1].0 {
-            panel.line(&diagonal, Stroke::new(INK, 1.0, Dash::of(1)));
-        }
-        // Methods that agree cover each other: the first is drawn last, and every second one is open.
-        for method in methods.iter().rev() {
-            let at = method.place();
-            let mine = cases.iter().filter(|case| case.row.method == *method);
-            for point in mine.filter_map(place) {
-                panel.marker(point, colour(at), Shape::of(at), at % 2 == 0);
+    for (i, method) in methods.iter().enumerate() {
+        let mine: Vec<&SensitivityCase> = (cases.iter())
+            .filter(|case| case.row.method == *method)
+            .collect();
+        let points: Vec<(f64, f64)> = mine.iter().filter_map(|case| place(case)).collect();
+        let axes = Axes {
+            title: format!(
+                "{method}: {} of {} offsets are finite",
+                points.len(),
+                mine.len()
+            ),
+            x: Axis::powers(&x, "by the derivative (a)", ticks(&x)),
+            y: Axis::powers(&y, "by the motion (a)", ticks(&y)),
+        };
+        let corner = layout.corner(i % columns, i / columns);
+        canvas.panel(corner, PLOT, axes, |panel| {
+            if diagonal[0].0 < diagonal[1].0 {
+                panel.line(&diagonal, Stroke::new(INK, 1.0, Dash::of(1)));
             }
-        }
-    });
+            for point in points {
+                panel.marker(
+                    point,
+                    colour(method.place()),
+                    Shape::of(method.place()),
+                    true,
+                );
+            }
+        });
+    }
     Ok(canvas.finish())
 }

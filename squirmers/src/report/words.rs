@@ -121,6 +121,8 @@ pub(super) fn caption(file_name: &str) -> &'static str {
     } else if file_name.contains("stress") {
         "Stresslets of a sphere by its own motion or slip and by that of the other one, and rates of work of slip. Lubrication theory \
          has no stresslet of its own: it is that of lone squirmers and what diverges here."
+    } else if file_name.contains("sensitivity") {
+        "Offset out of the plane at which an outgoing orientation turns by 6 degrees in space: by the motion itself, and by its derivative."
     } else if file_name.contains("deflection") {
         "Deflection of the squirmers as a function of the offset of their paths."
     } else {
