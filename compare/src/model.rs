@@ -228,11 +228,20 @@ impl Model {
 
     /// The model of a ratio of the radii, if there is one.
     pub(crate) fn of_ratio(&self, asked: f64) -> Option<&dyn Hydrodynamics> {
+        Some(self.kind_of(asked)?.hydrodynamics())
+    }
+
+    /// The same; another one, which refuses these radii, where there is none.
+    pub(crate) fn of_ratio_or_first(&self, asked: f64) -> &dyn Hydrodynamics {
+        self.kind_of(asked).unwrap_or(self.first()).hydrodynamics()
+    }
+
+    fn kind_of(&self, asked: f64) -> Option<&Kind> {
         #[expect(clippy::float_cmp, reason = "a model is for one ratio, exactly")]
         let found = std::iter::once(&self.first)
             .chain(&self.others)
             .find(|(ratio, _)| *ratio == asked);
-        found.map(|(_, kind)| kind.hydrodynamics() as &dyn Hydrodynamics)
+        found.map(|(_, kind)| kind)
     }
 
     fn first(&self) -> &Kind {
@@ -241,10 +250,7 @@ impl Model {
 
     /// The model of the radii of a plan; another one, which refuses them, where there is none.
     fn of(&self, plan: &Plan) -> &Kind {
-        let asked = plan.scene().ratio();
-        #[expect(clippy::float_cmp, reason = "a model is for one ratio, exactly")]
-        let found = self.others.iter().find(|(ratio, _)| *ratio == asked);
-        found.map_or(self.first(), |(_, kind)| kind)
+        self.kind_of(plan.scene().ratio()).unwrap_or(self.first())
     }
 }
 

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use bem::Bem;
-use scene::{LoadSet, Plan, Scene, SceneError, are_unlike};
+use scene::{LoadSet, Plan, Scene, SceneError};
 
 use crate::CompareError;
 
@@ -87,22 +87,15 @@ impl Reads {
         Ok(())
     }
 
-    /// The same and what motion in three dimensions reads besides, and its linearisation, which asks for no symmetry; where radii are unlike, of the ratios
-    /// `beside` each too.
+    /// The same and what motion in three dimensions reads besides, and its linearisation, which asks for no symmetry.
     #[must_use]
-    pub fn in_space(mut self, beside: impl Fn(f64) -> Option<[f64; 4]>) -> Self {
-        self.loads = self.loads.map(|read| LoadSet {
+    pub fn in_space(self) -> Self {
+        let loads = self.loads.map(|read| LoadSet {
             twist: true,
             swirl: read.swirl,
             ..LoadSet::planar(read.modes.max(2))
         });
-        let unlike: Vec<f64> = (self.ratios.iter().copied())
-            .filter(|ratio| are_unlike(*ratio))
-            .collect();
-        for ratio in unlike.into_iter().filter_map(beside).flatten() {
-            self.add_ratio(ratio);
-        }
-        self
+        Self { loads, ..self }
     }
 
     /// Adds a ratio of the radii.

@@ -272,6 +272,26 @@ mod tests {
     }
 
     #[test]
+    fn val_the_moment_of_the_turn_is_the_integral_of_time_and_rate() {
+        let p = Vector3::new(0.3, -0.5, 0.8).normalize();
+        let s0 = Vector3::new(4.0, 7.0, -2.0);
+        for w in [
+            Vector3::new(0.5, 1.3, 0.4),
+            Vector3::new(1.0, -0.5, 0.9),
+            s0 * 0.1,
+        ] {
+            let rate = |s: Vector3<f64>| p.cross(&s) * (-1.5 * 7.5 * p.dot(&s) / s.norm().powi(5));
+            let time = |s: Vector3<f64>| (s - s0).dot(&w) / w.norm_squared();
+            let integral = along((s0, w), rate(w), |s| rate(s) * time(s));
+            assert_relative_eq!(
+                turn_moment_by(7.5, p, s0, w),
+                integral,
+                epsilon = 1e-6 * integral.norm()
+            );
+        }
+    }
+
+    #[test]
     fn headings_at_an_angle_turn_as_one_over_the_distance_squared_and_opposed_ones_as_its_cube() {
         let (beta, alpha, r0) = (5.0, 0.7_f64, 50.0);
         let pair = [Squirmer::with_beta(1.0, beta).unwrap(); 2];

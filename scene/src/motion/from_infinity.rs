@@ -54,40 +54,7 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
 
     use super::*;
-    use approx::assert_relative_eq;
     use nalgebra::Vector3;
-
-    /// The rate by which a stresslet turns a sphere at `s`.
-    fn rate(b2: f64, p: Vector3<f64>, s: Vector3<f64>) -> Vector3<f64> {
-        p.cross(&s) * (-1.5 * b2 * p.dot(&s) / s.norm().powi(5))
-    }
-
-    #[test]
-    fn val_the_moment_of_the_turn_is_the_integral_of_time_and_rate() {
-        let p = Vector3::new(0.3, -0.5, 0.8).normalize();
-        let s0 = Vector3::new(4.0, 7.0, -2.0);
-        for w in [
-            Vector3::new(0.5, 1.3, 0.4),
-            Vector3::new(1.0, -0.5, 0.9),
-            s0 * 0.1,
-        ] {
-            // In x = 1/(1 + t/T), which brings infinity to 0.
-            let scale = s0.norm() / w.norm();
-            let steps = 20_000;
-            let mut sum = Vector3::zeros();
-            for k in 0..steps {
-                let x = (f64::from(k) + 0.5) / f64::from(steps);
-                let t = scale * (1.0 / x - 1.0);
-                sum += rate(7.5, p, s0 + w * t) * (t * scale / (x * x));
-            }
-            let integral = sum / f64::from(steps);
-            assert_relative_eq!(
-                turn_moment_by(7.5, p, s0, w),
-                integral,
-                epsilon = 1e-6 * integral.norm()
-            );
-        }
-    }
 
     #[test]
     fn a_pair_that_recedes_did_not_come_from_infinity() {

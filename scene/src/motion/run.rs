@@ -10,6 +10,7 @@ mod follow;
 mod outgoing;
 
 use self::flight::Flown;
+pub(super) use self::outgoing::MOST_DOUBLINGS;
 use self::outgoing::Outgoing;
 use super::dispatch::{Task, dispatch};
 use super::equations::{Dynamics, Effect, PairMotion};

@@ -73,7 +73,7 @@ pub fn raised() -> Perturbation {
 }
 
 /// A longer separation of the centres, about the same midpoint.
-fn apart(separation: Vector3<f64>) -> Perturbation {
+pub(crate) fn apart(separation: Vector3<f64>) -> Perturbation {
     Perturbation {
         positions: [separation * -0.5, separation * 0.5],
         ..Perturbation::NONE

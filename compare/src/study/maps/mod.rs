@@ -20,6 +20,7 @@ pub use bound::{BoundExample, BoundRow, bound_examples, bound_rows};
 pub use fates::Share;
 pub use fates::{FateRow, fates_of};
 pub use grid::{Grid, Pair, unsymmetric_starts};
+pub(crate) use growth::apart;
 pub use growth::{GrowthRow, GrowthShares, growth_row, growth_shares, raised};
 pub use scatter::{ScatterRow, scatter_row};
 pub use trust::{CLASSES as TRUST_CLASSES, same_map, trust_class};

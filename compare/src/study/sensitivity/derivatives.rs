@@ -7,6 +7,7 @@ use scene::{
 };
 
 use super::DerivativeRow;
+use crate::study::maps::{apart, raised};
 use crate::{CompareError, Family, Method, Model};
 
 /// The ratios of the radii beside one, whose models say how the motion changes with it.
@@ -82,7 +83,7 @@ impl Directions {
         all.push(Direction {
             name: "offset dz".to_owned(),
             unit: "a",
-            change: Some(of_offset()),
+            change: Some(raised()),
             of_start: None,
         });
         all.extend(of_numbers(scene));
@@ -127,7 +128,7 @@ impl Directions {
         let known: Vec<Perturbation> = (changes.iter())
             .map(|of| of.unwrap_or(Perturbation::NONE))
             .collect();
-        let own = model.of_ratio(ratio).unwrap_or(&**model);
+        let own = model.of_ratio_or_first(ratio);
         let others = others.unwrap_or_default();
         let mut tangents = run_with_tangents_by_ratio(scene, (own, &others), options, &known)?;
         for (of, outgoing) in changes.iter().zip(&mut tangents.outgoing) {
@@ -206,17 +207,9 @@ pub(super) fn turns_by_offset(
     scene: &Scene,
     options: &RunOptions,
 ) -> Result<[f64; 2], SceneError> {
-    let own = model.of_ratio(scene.ratio()).unwrap_or(&**model);
-    let tangents = run_with_tangents_by_ratio(scene, (own, &[]), options, &[of_offset()])?;
+    let own = model.of_ratio_or_first(scene.ratio());
+    let tangents = run_with_tangents_by_ratio(scene, (own, &[]), options, &[raised()])?;
     Ok([0, 1].map(|k| angles(&tangents, 0, k)[0].to_degrees()))
-}
-
-/// The offset out of the plane: squirmer 1 raised by half of it, squirmer 2 lowered.
-fn of_offset() -> Perturbation {
-    Perturbation {
-        positions: [Vector3::z() * 0.5, Vector3::z() * -0.5],
-        ..Perturbation::NONE
-    }
 }
 
 /// Position of squirmer 2 from squirmer 1, and the headings.
@@ -230,10 +223,7 @@ fn of_start(scene: &Scene) -> Result<Vec<Direction>, CompareError> {
         .map(|(name, axis)| Direction {
             name: format!("start {name}"),
             unit: "a",
-            change: Some(Perturbation {
-                positions: [axis * -0.5, axis * 0.5],
-                ..Perturbation::NONE
-            }),
+            change: Some(apart(axis)),
             of_start: Some(1.0),
         })
         .collect();

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-use scene::RunOptions;
+use scene::{RunOptions, are_unlike};
 use serde::{Deserialize, Serialize};
 
 use self::case::Unit;
@@ -148,7 +148,7 @@ impl Part {
     }
 }
 
-/// What the motion of all cases and its linearisation reads of a model.
+/// What the motion of all cases and its linearisation reads of a model; where radii are unlike, of the ratios beside each too.
 ///
 /// # Errors
 /// As [`Points::reads`].
@@ -162,7 +162,15 @@ pub fn reads(parts: &[Part]) -> Result<Reads, CompareError> {
         };
         ratios.into_iter().for_each(|ratio| all.add_ratio(ratio));
     }
-    Ok(all.in_space(beside))
+    let unlike = all
+        .ratios
+        .clone()
+        .into_iter()
+        .filter(|ratio| are_unlike(*ratio));
+    for ratio in unlike.filter_map(beside).flatten() {
+        all.add_ratio(ratio);
+    }
+    Ok(all.in_space())
 }
 
 /// A study of the cases of some families, whose varied parameters have the same names.

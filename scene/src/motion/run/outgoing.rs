@@ -15,7 +15,7 @@ use crate::{Gap, SceneError};
 const KNOWN: f64 = 2e-9;
 
 /// Doublings of the distance after which a pair that parts ever more slowly is given up: some 1e7 radii.
-const MOST_DOUBLINGS: usize = 20;
+pub(in crate::motion) const MOST_DOUBLINGS: usize = 20;
 
 /// What is left out falls at least as the square of the distance: twice as far away it is a quarter. By exact loads it falls as
 /// the cube; the stresslet of a squirmer on a mesh is a little off.

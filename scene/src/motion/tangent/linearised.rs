@@ -6,10 +6,12 @@
 
 use nalgebra::Vector3;
 
-use super::perturbation::{NUMBERS, Perturbation};
+use super::perturbation::{CHART, NUMBERS, Perturbation};
 use super::response::{OfEach, Response, parts};
 use super::velocity::{Driven, State, Velocity};
 use crate::mobility::{External, Heading, MobilityOfEach, MobilitySet, PairVelocity};
+use crate::motion::coordinates::spin_about;
+use crate::motion::equations::Dynamics as _;
 use crate::ode::System;
 use crate::{Gap, Gravity, Hydrodynamics, MAX_MODES, Repulsion, SceneError, Squirmer};
 
@@ -69,8 +71,7 @@ impl Linearised<'_> {
 
     /// The same by the coefficients that were read.
     fn rates_by(&self, gap: Gap, changes_ratio: bool, y: &[f64], dy: &mut [f64]) {
-        let raw = State::read(y);
-        let at = raw.normalized();
+        let at = State::read(y).normalized();
         let [mobility, slope, by_ratio] = &*self.read;
         let [one, two] = Heading::of_both(&at.line, at.orientations);
         let count = self.set.loads.modes.max(self.set.loads.swirl);
@@ -88,16 +89,10 @@ impl Linearised<'_> {
             Velocity::by(mobility, slip, swirl, &driven)
         };
         let velocity = by(mobility);
-        // The lengths of the vectors are kept, whatever they are.
-        velocity.rates(&at, dy);
-        for (from, length) in [(3, raw.line.norm())]
-            .into_iter()
-            .chain([7, 10].into_iter().zip(raw.orientations.map(|p| p.norm())))
-        {
-            for number in &mut dy[from..from + 3] {
-                *number *= length;
-            }
-        }
+        let state = std::array::from_fn(|i| y[i]);
+        let mut rates = CHART.derivative(&state, &velocity.pair);
+        spin_about(&at.line, &state, &mut rates, velocity.about);
+        dy[..NUMBERS].copy_from_slice(&rates);
         let by_ln_gap = by(slope);
         let by_ratio = changes_ratio.then(|| by(by_ratio));
         let repulsion = (self.repulsion).map_or([0.0; 3], |repulsion| repulsion.slopes(gap));

@@ -3,12 +3,13 @@
 use nalgebra::Vector3;
 
 use super::linearised::Linearised;
-use super::perturbation::{NUMBERS, Perturbation, Variation};
+use super::perturbation::{CHART, NUMBERS, Perturbation, Variation};
 use super::run::TangentRun;
 use crate::frame::Configuration;
 use crate::hydrodynamics::central_difference;
+use crate::motion::chart::Chart as _;
 use crate::motion::far_turn::turned_to_infinity;
-use crate::motion::run::Phase;
+use crate::motion::run::{MOST_DOUBLINGS, Phase};
 use crate::motion::{Outcome, Run, RunOptions};
 use crate::ode::{OdeError, Stepper};
 use crate::{Gap, Plan, SceneError};
@@ -18,9 +19,6 @@ type Outgoing = Vec<[Vector3<f64>; 2]>;
 
 /// Relative change of a derivative at infinity at which it counts as known.
 const KNOWN: f64 = 1e-9;
-
-/// Doublings of the distance after which a limit is given up.
-const MOST_DOUBLINGS: usize = 20;
 
 /// The path of a run, along which directions are followed.
 pub(super) struct Path<'a> {
@@ -201,25 +199,8 @@ fn failure(system: &mut Linearised<'_>, error: OdeError) -> SceneError {
 }
 
 /// Puts a configuration in the place of the state, and leaves its changes.
-fn place<const N: usize>(y: &mut [f64; N], at: &Configuration) {
-    let mut put = |from: usize, v: &Vector3<f64>| y[from..from + 3].copy_from_slice(v.as_slice());
-    put(0, &at.midpoint);
-    put(3, &at.line);
-    put(7, &at.orientations[0]);
-    put(10, &at.orientations[1]);
-    y[6] = at.gap.ln();
-}
-
-/// The configuration of a state, angles as in another one.
-fn configuration(y: &[f64], like: &Configuration) -> Configuration {
-    let vector = |at: usize| Vector3::new(y[at], y[at + 1], y[at + 2]);
-    Configuration {
-        gap: Gap::from_ln(y[6]),
-        midpoint: vector(0),
-        line: vector(3).normalize(),
-        orientations: [vector(7).normalize(), vector(10).normalize()],
-        ..*like
-    }
+fn place(y: &mut [f64], at: &Configuration) {
+    y[..NUMBERS].copy_from_slice(&CHART.encode(at));
 }
 
 fn decoded(directions: &[Perturbation], y: &[f64], at: &Configuration) -> Vec<Variation> {
@@ -231,7 +212,8 @@ fn decoded(directions: &[Perturbation], y: &[f64], at: &Configuration) -> Vec<Va
 
 /// How the orientations at infinity change, as seen from a state far out: those there, and the closed form of the turn that is still to come.
 fn at_infinity(system: &Linearised<'_>, y: &[f64], run: &Run) -> Result<Outgoing, SceneError> {
-    let at = configuration(y, &run.end);
+    let state = std::array::from_fn(|i| y[i]);
+    let at = CHART.decode(&state, &run.end);
     let variations = decoded(system.directions, y, &at);
     let of = |(direction, variation): (&Perturbation, Variation)| {
         let [x1, x2] = variation.positions;

@@ -4,6 +4,8 @@ use nalgebra::Vector3;
 
 use crate::frame::Configuration;
 use crate::hydrodynamics::central_difference;
+use crate::motion::coordinates::Spatial;
+use crate::motion::equations::Absent;
 use crate::{Gap, MAX_MODES, Scene, SceneError, Squirmer};
 
 /// The derivative of a scene by one number: of its start and of everything in its equation of motion.
@@ -62,12 +64,32 @@ impl Perturbation {
         scene: impl Fn(f64) -> Result<Scene, E>,
         step: f64,
     ) -> Result<Self, E> {
-        let numbers = |of: f64| Ok::<_, E>(Numbers::of(&scene(of)?)?);
         let mut sum = Self::NONE;
         for (offset, weight) in central_difference(step) {
-            sum.add(weight, &numbers(offset)?.0);
+            sum.add(weight, &Self::from_nothing(&scene(offset)?)?);
         }
         Ok(sum)
+    }
+
+    /// The numbers of a scene, as a change of a scene of zeros.
+    fn from_nothing(scene: &Scene) -> Result<Self, SceneError> {
+        let mut numbers = Self::NONE;
+        for (k, (pose, squirmer)) in scene.start.iter().zip(&scene.squirmers).enumerate() {
+            numbers.positions[k] = pose.position;
+            numbers.orientations[k] = pose.orientation.vector()?;
+            numbers.modes[k] = std::array::from_fn(|n| squirmer.mode(n));
+            let swirl = squirmer.swirl();
+            numbers.swirl[k][..swirl.len()].copy_from_slice(swirl);
+            numbers.gravity_torques[k] = squirmer.gravity_torque();
+        }
+        if let Some(repulsion) = scene.repulsion {
+            numbers.repulsion = [repulsion.kappa1(), repulsion.kappa2()];
+        }
+        if let Some(gravity) = scene.gravity {
+            numbers.gravity = gravity.direction();
+        }
+        numbers.ratio = scene.ratio();
+        Ok(numbers)
     }
 
     /// The largest difference of a number from that of another one, relative to the larger of it and 1.
@@ -138,31 +160,6 @@ impl Perturbation {
     }
 }
 
-/// The numbers of a scene, as a perturbation from a scene of zeros.
-struct Numbers(Perturbation);
-
-impl Numbers {
-    fn of(scene: &Scene) -> Result<Self, SceneError> {
-        let mut numbers = Perturbation::NONE;
-        for (k, (pose, squirmer)) in scene.start.iter().zip(&scene.squirmers).enumerate() {
-            numbers.positions[k] = pose.position;
-            numbers.orientations[k] = pose.orientation.vector()?;
-            numbers.modes[k] = std::array::from_fn(|n| squirmer.mode(n));
-            let swirl = squirmer.swirl();
-            numbers.swirl[k][..swirl.len()].copy_from_slice(swirl);
-            numbers.gravity_torques[k] = squirmer.gravity_torque();
-        }
-        if let Some(repulsion) = scene.repulsion {
-            numbers.repulsion = [repulsion.kappa1(), repulsion.kappa2()];
-        }
-        if let Some(gravity) = scene.gravity {
-            numbers.gravity = gravity.direction();
-        }
-        numbers.ratio = scene.ratio();
-        Ok(Self(numbers))
-    }
-}
-
 /// The derivative of a configuration by one number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Variation {
@@ -174,6 +171,9 @@ pub struct Variation {
 
 /// Numbers of the linearised state: midpoint, line of centres, `ln eps`, both orientations.
 pub(super) const NUMBERS: usize = 13;
+
+/// The coordinates of a state.
+pub(super) const CHART: Spatial<Absent> = Spatial { swirl: Absent };
 
 impl Variation {
     /// As the linearised state has it.

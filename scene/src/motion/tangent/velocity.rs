@@ -100,21 +100,6 @@ impl Velocity {
         }
     }
 
-    /// The derivative of a state that moves so.
-    pub fn rates(&self, of: &State, into: &mut [f64]) {
-        let (v, d) = (&self.pair, &of.line);
-        let turned = [0, 1].map(|k| {
-            let p = &of.orientations[k];
-            d.cross(&v.spin[k]).cross(p) + d.cross(p) * self.about[k]
-        });
-        store(
-            into,
-            [d * v.mean_axial + v.mean_transverse, v.turning],
-            v.opening,
-            turned,
-        );
-    }
-
     /// The derivative of the change of a state, with the change of the velocity.
     pub fn rates_of_change(&self, of: &State, change: (&State, &Self), into: &mut [f64]) {
         let (moved, by) = change;
