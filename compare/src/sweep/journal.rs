@@ -8,7 +8,7 @@
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{BufRead, BufReader, BufWriter, ErrorKind, Read, Seek, SeekFrom, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -113,6 +113,11 @@ impl Journal {
         }
     }
 
+    /// The part file.
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
     fn kept(&self) -> MutexGuard<'_, Kept> {
         self.kept.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -204,7 +209,7 @@ impl Journal {
 
 impl Found {
     /// Returns an error if pieces of another sweep would be deleted.
-    fn refuse_other(&self, path: &std::path::Path, fresh: bool) -> Result<(), CompareError> {
+    fn refuse_other(&self, path: &Path, fresh: bool) -> Result<(), CompareError> {
         match *self {
             Self::Other { pieces } if pieces > 0 && !fresh => Err(CompareError::OtherSweep {
                 path: path.to_owned(),
@@ -215,7 +220,7 @@ impl Found {
     }
 
     /// Reports damaged or deleted pieces; returns an error if pieces of another sweep would be deleted.
-    fn judge(&self, path: &std::path::Path, fresh: bool) -> Result<(), CompareError> {
+    fn judge(&self, path: &Path, fresh: bool) -> Result<(), CompareError> {
         self.refuse_other(path, fresh)?;
         match *self {
             Self::Same { damaged } if damaged > 0 && !fresh => notice!(

@@ -13,7 +13,7 @@ use scene::RunOptions;
 use super::journal::Journal;
 use crate::no_run::{FAILED, SKIPPED};
 use crate::output::{OutputFolder, rows_of};
-use crate::watch::notice;
+use crate::watch::{Leaving, notice};
 use crate::{CompareError, Model};
 
 /// Number of pieces of a large sweep.
@@ -131,6 +131,11 @@ impl<'a> Sweep<'a> {
         compute: impl Fn(usize) -> Result<Computed, CompareError> + Sync,
     ) -> Result<Kept<'a>, CompareError> {
         let journal = Journal::open(self.out, self.name, &self.key)?;
+        let part = journal.path().display();
+        let leaving = Leaving::of(format!(
+            "finished {} are in '{part}'; the same command continues",
+            self.what
+        ));
         let reasons = Mutex::new(BTreeMap::new());
         let left = journal.run(self.pieces(), self.what, self.time_limit, |piece| {
             let mut text = String::new();
@@ -150,6 +155,7 @@ impl<'a> Sweep<'a> {
         let reasons = reasons.into_inner().unwrap_or_else(PoisonError::into_inner);
         Ok(Kept {
             sweep: self,
+            _leaving: leaving,
             journal,
             left,
             reasons: reasons.into_values().collect(),
@@ -160,6 +166,8 @@ impl<'a> Sweep<'a> {
 /// The computed units, on disk.
 pub struct Kept<'a> {
     sweep: &'a Sweep<'a>,
+    /// What an interrupt leaves while the final file is written.
+    _leaving: Leaving,
     journal: Journal,
     left: usize,
     reasons: Vec<String>,
