@@ -24,6 +24,7 @@ pub mod output;
 pub mod reference;
 pub mod scene_file;
 pub mod scene_run;
+mod stoppable;
 pub mod study;
 pub mod submission;
 pub mod sweep;

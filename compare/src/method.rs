@@ -111,6 +111,22 @@ impl Method {
         Self::registered(name, model.into(), false)
     }
 
+    /// As [`Self::register`]; the name may be that of an earlier model from outside, which is named no longer. Whoever holds its method can go on with it. A
+    /// model that `is_dear` takes so long for each gap that it is tabulated before it moves pairs.
+    ///
+    /// # Errors
+    /// [`CompareError::Input`] for a name of this workspace's models, and for one that is not allowed.
+    pub fn replace(
+        name: &str,
+        model: Arc<dyn Hydrodynamics>,
+        is_dear: bool,
+    ) -> Result<Self, CompareError> {
+        Self::check_letters(name)?;
+        Self::check_ours(name)?;
+        let mut others = OTHERS.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(Self::pushed(&mut others, name, model, is_dear))
+    }
+
     /// Refuses a name that is none for a model from outside.
     ///
     /// # Errors
@@ -119,22 +135,39 @@ impl Method {
         Self::others_without(name).map(drop)
     }
 
-    /// The models from outside, none of which has this name.
-    fn others_without(name: &str) -> Result<MutexGuard<'static, Vec<OtherModel>>, CompareError> {
-        let refused = |allowed: &str| Err(CompareError::input("--method", name, allowed));
+    /// Refuses a name of letters that are not allowed.
+    fn check_letters(name: &str) -> Result<(), CompareError> {
         let is_part = |c: char| c.is_alphanumeric() || "-_.".contains(c);
         if name.is_empty() || name.len() > MOST_LETTERS || !name.chars().all(is_part) {
             let allowed = format!(
                 "a name has 1 to {MOST_LETTERS} letters, digits or the signs - _ . and nothing else"
             );
-            return refused(&allowed);
+            return Err(CompareError::input("--method", name, allowed));
         }
+        Ok(())
+    }
+
+    fn taken(name: &str) -> CompareError {
+        let allowed = "a model has this name already: give another one";
+        CompareError::input("--method", name, allowed)
+    }
+
+    /// Refuses the name of a model of this workspace.
+    fn check_ours(name: &str) -> Result<(), CompareError> {
+        let mut of_ours = (Self::ALL.iter()).chain(std::iter::once(&Self::Isolated));
+        if of_ours.any(|method| method.name() == name) {
+            return Err(Self::taken(name));
+        }
+        Ok(())
+    }
+
+    /// The models from outside, none of which has this name.
+    fn others_without(name: &str) -> Result<MutexGuard<'static, Vec<OtherModel>>, CompareError> {
+        Self::check_letters(name)?;
+        Self::check_ours(name)?;
         let others = OTHERS.lock().unwrap_or_else(PoisonError::into_inner);
-        let of_ours = (Self::ALL.iter()).chain(std::iter::once(&Self::Isolated));
-        if of_ours.map(|method| method.name()).any(|n| n == name)
-            || others.iter().any(|other| other.0.name == name)
-        {
-            return refused("a model has this name already: give another one");
+        if others.iter().any(|other| other.0.name == name) {
+            return Err(Self::taken(name));
         }
         Ok(others)
     }
@@ -146,6 +179,16 @@ impl Method {
         is_dear: bool,
     ) -> Result<Self, CompareError> {
         let mut others = Self::others_without(name)?;
+        Ok(Self::pushed(&mut others, name, model, is_dear))
+    }
+
+    /// The method of one more model from outside.
+    fn pushed(
+        others: &mut Vec<OtherModel>,
+        name: &str,
+        model: Arc<dyn Hydrodynamics>,
+        is_dear: bool,
+    ) -> Self {
         let other = OtherModel(Box::leak(Box::new(Registered {
             name: Box::leak(name.to_owned().into_boxed_str()),
             number: others.len(),
@@ -153,7 +196,7 @@ impl Method {
             is_dear,
         })));
         others.push(other);
-        Ok(Self::Other(other))
+        Self::Other(other)
     }
 
     /// The method with this name on the command line and in tables, if it can be compared.
@@ -162,7 +205,8 @@ impl Method {
         let of_ours = Self::ALL.into_iter().find(|method| method.name() == name);
         of_ours.or_else(|| {
             let others = OTHERS.lock().unwrap_or_else(PoisonError::into_inner);
-            let other = others.iter().find(|other| other.0.name == name);
+            // Of models that have replaced each other the last one.
+            let other = others.iter().rev().find(|other| other.0.name == name);
             other.map(|&other| Self::Other(other))
         })
     }

@@ -14,6 +14,7 @@ use scene::{
 };
 
 use crate::scene_file::Hydrodynamics as InFiles;
+use crate::stoppable::{self, Stoppable};
 use crate::watch::{Pieces, Progress};
 use crate::{CompareError, Method, ModelOptions, NoRun};
 
@@ -39,9 +40,10 @@ pub(crate) type AnyModel = Arc<dyn Hydrodynamics>;
 
 /// The closed form has so quick a right-hand side that it has a compiled loop of its own. Tables and models that solve for
 /// every load share one: a virtual call costs them nothing noticeable.
+#[derive(Clone)]
 enum Kind {
     Lubrication(Lubrication),
-    Table(Box<Tabulated>),
+    Table(Arc<Tabulated>),
     Direct(AnyModel),
     /// A closed form of unlike radii.
     Closed(AnyModel),
@@ -49,7 +51,8 @@ enum Kind {
     Other(&'static dyn Hydrodynamics),
 }
 
-/// A method ready to run.
+/// A method ready to run. Clones share its tables.
+#[derive(Clone)]
 pub struct Model {
     method: Method,
     mesh: usize,
@@ -154,13 +157,14 @@ impl Model {
     /// Runs a plan and passes on each sample as soon as it is computed.
     ///
     /// # Errors
-    /// As [`scene::run_observed`].
+    /// As [`scene::run_observed`]; [`SceneError::Model`] if work was given up ([`crate::watch::give_up`]).
     pub fn run_observed(
         &self,
         plan: &Plan,
         options: &RunOptions,
         observe: &mut dyn FnMut(&Sample),
     ) -> Result<Run, SceneError> {
+        stoppable::check()?;
         match self.of(plan) {
             Kind::Lubrication(model) => model.run(plan, options, observe),
             other => run_observed(plan, other.hydrodynamics(), options, observe),
@@ -264,10 +268,11 @@ impl Kind {
             })
         };
         let solved = |model: AnyModel, tolerance| {
+            let model: AnyModel = Arc::new(Stoppable(model));
             Ok(if options.direct {
                 Self::Direct(model)
             } else {
-                Self::Table(Box::new(tabulate(model, method, tolerance, options)?))
+                Self::Table(Arc::new(tabulate(model, method, tolerance, options)?))
             })
         };
         match method {
@@ -279,13 +284,14 @@ impl Kind {
                 })?;
                 match other.dear() {
                     Some(model) if !options.direct => {
+                        let model = Arc::new(Stoppable(model));
                         // Nobody knows whether it answers the same the next time.
                         let options = ModelOptions {
                             cache: None,
                             ..options.clone()
                         };
                         let table = tabulate(model, method, OTHER_TABLE_TOLERANCE, &options)?;
-                        Ok(Self::Table(Box::new(table)))
+                        Ok(Self::Table(Arc::new(table)))
                     }
                     _ => Ok(Self::Other(model)),
                 }

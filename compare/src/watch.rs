@@ -139,6 +139,28 @@ pub(crate) fn stop_requested() -> bool {
     STOP.load(SeqCst)
 }
 
+/// Whether work under way is to be given up.
+static GIVEN_UP: AtomicBool = AtomicBool::new(false);
+
+/// Makes runs and models that solve for their loads fail at once. A sweep keeps none of what it was computing. A program that ends at an interrupt needs
+/// none of this; one that lives on, such as an interpreter, does.
+pub fn give_up() {
+    request_stop();
+    GIVEN_UP.store(true, SeqCst);
+}
+
+/// Whether work under way is to be given up.
+#[must_use]
+pub fn given_up() -> bool {
+    GIVEN_UP.load(SeqCst)
+}
+
+/// Takes back [`request_stop`] and [`give_up`], once the work that they stopped has ended.
+pub fn go_on() {
+    STOP.store(false, SeqCst);
+    GIVEN_UP.store(false, SeqCst);
+}
+
 /// Whether a sweep that keeps its pieces is running.
 #[must_use]
 pub fn keeps_pieces() -> bool {

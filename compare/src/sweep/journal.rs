@@ -189,6 +189,9 @@ impl Journal {
                     return Ok(1);
                 }
                 let lines = compute(piece)?;
+                if watch::given_up() {
+                    return Ok(1);
+                }
                 self.append(piece, &lines)?;
                 progress.advance();
                 Ok(0)

@@ -1,0 +1,39 @@
+"""Models by their names."""
+
+from __future__ import annotations
+
+from ._native import Model
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from ._native import Scene
+
+_named: dict[tuple[str, int | None, bool], Model] = {}
+
+
+def _known(name: str, level: int | None, direct: bool) -> Model:
+    """A model that keeps its tables for the next call."""
+    key = (name, level, direct)
+    known = _named.get(key)
+    if known is None:
+        known = _named.setdefault(key, Model(name, level=level, direct=direct))
+    return known
+
+
+def as_model(model: str | Model) -> Model:
+    """The model itself, or the one of this name."""
+    return model if isinstance(model, Model) else _known(model, None, False)
+
+
+def as_models(models: str | Model | Iterable[str | Model]) -> list[Model]:
+    """One model or several, as a list."""
+    if isinstance(models, (str, Model)):
+        return [as_model(models)]
+    return [as_model(model) for model in models]
+
+
+def model_of(scene: Scene, model: str | Model | None) -> Model:
+    """The model that is given, or else the scene's own, or else the exact one."""
+    return _known(*scene._model()) if model is None else as_model(model)

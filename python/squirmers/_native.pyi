@@ -1,0 +1,331 @@
+"""
+`squirmers._native`.
+"""
+
+from _typeshed import SupportsLenAndGetItem
+from collections.abc import Callable
+from numpy import float64
+from numpy.typing import ArrayLike, NDArray
+from os import PathLike
+from typing import Any, Final, SupportsFloat, SupportsIndex, final
+from typing_extensions import disjoint_base
+
+__all__ = ["__version__", "Model", "Run", "Scene", "Squirmer", "coefficients", "loads", "run", "set_threads"]
+
+__version__: Final[str]
+"""
+Version of the library.
+"""
+
+@disjoint_base
+class Model:
+    """
+    A hydrodynamic model: what answers for the fluid.
+
+    A model sets up its tables when they are first needed, keeps them, and reads them from the disk the next time.
+
+    Parameters
+    ----------
+    name : str
+        ``"lt"`` (lubrication theory as published), ``"lt-corrected"``, ``"exact"``, ``"bem"`` (boundary elements) or ``"none"`` (no interaction).
+    level : int, optional
+        Level of the mesh of boundary elements. Only of ``"bem"``.
+    direct : bool, default False
+        Whether every load is solved for, in place of being read from a table: much slower, and without interpolation error.
+    cache : path, optional
+        Folder that keeps tables; by default the user's cache folder.
+
+    Raises
+    ------
+    InputError
+        If there is no such model or level.
+
+    Examples
+    --------
+    >>> import squirmers
+    >>> squirmers.Model("exact").name
+    'exact'
+    """
+    def __new__(cls, /, name: str, *, level: SupportsIndex | None = None, direct: bool = False, cache: str | PathLike[str] | None = None) -> Model: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def name(self, /) -> str:
+        """
+        Its name, which stands in tables.
+        """
+
+@final
+class Run:
+    """
+    A run from start to end; `squirmers.Trajectory` shows it.
+    """
+    @property
+    def angles_deg(self, /) -> NDArray[float64]: ...
+    @property
+    def deflections_deg(self, /) -> NDArray[float64]: ...
+    @property
+    def end_time(self, /) -> float: ...
+    @property
+    def gap(self, /) -> NDArray[float64]: ...
+    @property
+    def loads(self, /) -> int: ...
+    @property
+    def min_gap(self, /) -> float: ...
+    @property
+    def orientations(self, /) -> NDArray[float64]: ...
+    @property
+    def outcome(self, /) -> str: ...
+    @property
+    def positions(self, /) -> NDArray[float64]: ...
+    @property
+    def seconds(self, /) -> float: ...
+    @property
+    def settled(self, /) -> float | None: ...
+    @property
+    def steps(self, /) -> int: ...
+    @property
+    def tau(self, /) -> float: ...
+    @property
+    def time(self, /) -> NDArray[float64]: ...
+    @property
+    def truncation_deg(self, /) -> float: ...
+
+@final
+class Scene:
+    """
+    Two squirmers, where they start, and the effects that act on them.
+
+    Lengths are in radii ``a`` of the first squirmer, times in ``a/V_s``, angles in degrees, anticlockwise from the x axis.
+
+    Parameters
+    ----------
+    squirmers : Squirmer or pair of Squirmer
+        The two; one alone stands for both. The first has radius 1.
+    positions : array_like, shape (2, 2) or (2, 3)
+        Centres. Without a third coordinate it is 0.
+    angles_deg : array_like, shape (2,), optional
+        Swimming directions in the x-y plane, in degrees; they may wind. Not together with `orientations`.
+    orientations : array_like, shape (2, 3), optional
+        Swimming directions in space, of any length.
+    repulsion : pair of float, optional
+        ``(kappa1, kappa2)`` of the repulsion at short range, both greater than 0: the force is ``kappa1 kappa2 e/(1 - e)`` with
+        ``e = exp(-kappa2 gap)``, per ``mu a V_s``. The paper has (10, 100). Without it there is none, and squirmers may touch.
+    gravity : array_like, shape (3,), optional
+        Direction of gravity, of any length. It turns squirmers with bottom-heaviness.
+
+    Raises
+    ------
+    InputError
+        If a number is not finite, a direction has no length, the spheres overlap or touch, or a shape is wrong.
+
+    Examples
+    --------
+    >>> import squirmers
+    >>> puller = squirmers.Squirmer(beta=5.0)
+    >>> scene = squirmers.Scene(puller, [(-0.5, 5.0), (0.5, -5.0)], angles_deg=(-90, 90), repulsion=(10, 100))
+    >>> round(scene.gap, 3)
+    8.05
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __new__(cls, /, squirmers: Any, positions: ArrayLike, *, angles_deg: ArrayLike | None = None, orientations: ArrayLike | None = None, repulsion: tuple[SupportsFloat | SupportsIndex, SupportsFloat | SupportsIndex] | None = None, gravity: ArrayLike | None = None) -> Scene: ...
+    def __reduce__(self, /) -> "tuple[object, ...]":
+        """
+        What pickles keep: a call that makes the same scene.
+        """
+    def __repr__(self, /) -> str: ...
+    def _model(self, /) -> tuple[str, int | None, bool]:
+        """
+        Name, level and directness of the model that the scene's file names, or else of the exact one.
+        """
+    @staticmethod
+    def _of_parts(squirmers: Any, positions: SupportsLenAndGetItem[SupportsLenAndGetItem[SupportsFloat | SupportsIndex]], *, orientation0: Any, orientation1: Any, repulsion: tuple[SupportsFloat | SupportsIndex, SupportsFloat | SupportsIndex] | None, gravity: SupportsLenAndGetItem[SupportsFloat | SupportsIndex] | None) -> Scene:
+        """
+        The scene of a pickle.
+        """
+    @property
+    def angles_deg(self, /) -> NDArray[float64]:
+        """
+        Angles of the swimming directions' projections on the x-y plane, shape (2,), in degrees.
+        """
+    @staticmethod
+    def from_toml(text: str, /, **parameters: "float") -> Scene:
+        """
+        A scene from the text of a scene file, with values for its parameters.
+
+        Parameters
+        ----------
+        text : str
+            Text in TOML; docs/SCENES.md lists its keys.
+        **parameters : float
+            Values of parameters of the file; the others have their defaults.
+
+        Returns
+        -------
+        Scene
+            The scene, with the run settings and the model of the file.
+
+        Raises
+        ------
+        InputError
+            Every mistake in the text, each with line and column.
+        """
+    @property
+    def gap(self, /) -> float:
+        """
+        Gap between the surfaces at the start, in radii of the first squirmer.
+        """
+    @property
+    def gravity(self, /) -> NDArray[float64] | None:
+        """
+        Unit vector along which gravity pulls, shape (3,); None if there is none.
+        """
+    @property
+    def model(self, /) -> str | None:
+        """
+        Name of the model that the scene's file names; None if it names none.
+        """
+    @staticmethod
+    def of(name: str | PathLike[str], /, **parameters: "float") -> Scene:
+        """
+        A scene from a scene file, or from one of the families that ship, with values for its parameters.
+
+        Parameters
+        ----------
+        name : str
+            ``"opposed"``, ``"right-angles"``, ``"incoming-angles"`` or another family that ships, or the path of a scene file.
+        **parameters : float
+            Values of parameters; the others have their defaults.
+
+        Returns
+        -------
+        Scene
+            The scene, with the run settings and the model of the file.
+
+        Raises
+        ------
+        FileError
+            If the file cannot be read.
+        InputError
+            Every mistake in it, each with line and column.
+
+        Examples
+        --------
+        >>> import squirmers
+        >>> squirmers.Scene.of("opposed", beta=5.0, dx=1.0).angles_deg
+        array([-90.,  90.])
+        """
+    @property
+    def orientations(self, /) -> NDArray[float64]:
+        """
+        Unit vectors of the swimming directions at the start, shape (2, 3).
+        """
+    @property
+    def positions(self, /) -> NDArray[float64]:
+        """
+        Centres at the start, shape (2, 3), in radii of the first squirmer.
+        """
+    @property
+    def repulsion(self, /) -> tuple[float, float] | None:
+        """
+        ``(kappa1, kappa2)`` of the repulsion; None if there is none.
+        """
+    @property
+    def squirmers(self, /) -> tuple[Squirmer, Squirmer]:
+        """
+        The two squirmers.
+        """
+
+@final
+class Squirmer:
+    """
+    A squirmer: a sphere that swims by a steady slip of its surface.
+
+    The slip at the surface point with unit normal ``n`` is, for the unit orientation ``p`` and ``c = p.n``,
+    ``u = sum_n B_n W_n(c) (c n - p) + C_n W_n(c) p x n`` with ``W_n = 2 P_n'(c)/(n (n + 1))``
+    (Blake 1971; Pak & Lauga 2014).
+
+    Parameters
+    ----------
+    beta : float, optional
+        ``B_2/B_1``: pullers have ``beta > 0``, pushers ``beta < 0``. Not together with `modes`.
+    speed : float, default 1
+        Swimming speed of the lone squirmer, ``V_s = 2 B_1/3``. Only with `beta`.
+    modes : array_like, shape (n,), optional
+        Slip modes ``B_1, B_2, ...``, at most eight, in units of ``V_s``. None at all (an empty list) make a passive sphere.
+    swirl_modes : array_like, shape (n,), optional
+        Swirl modes ``C_1, C_2, ...``, at most eight, in units of ``V_s``.
+    radius : float, default 1
+        Radius, in radii of the first squirmer of a scene, from 0.01 to 100.
+    bottom_heaviness : float, default 0
+        ``G_bh = 4 pi rho g a h/(3 mu V_s)`` with the squirmer's own radius ``a``.
+
+    Raises
+    ------
+    InputError
+        If a number is not finite or not allowed, or if both or neither of `beta` and `modes` are given.
+
+    Examples
+    --------
+    >>> import squirmers
+    >>> squirmers.Squirmer(beta=5.0).modes
+    [1.5, 7.5]
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __getnewargs_ex__(self, /) -> "tuple[tuple[()], dict[str, object]]":
+        """
+        What pickles keep.
+        """
+    def __ne__(self, value: object, /) -> bool: ...
+    def __new__(cls, /, beta: SupportsFloat | SupportsIndex | None = None, *, speed: SupportsFloat | SupportsIndex | None = None, modes: ArrayLike | None = None, swirl_modes: ArrayLike | None = None, radius: SupportsFloat | SupportsIndex = 1.0, bottom_heaviness: SupportsFloat | SupportsIndex = 0.0) -> Squirmer: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def beta(self, /) -> float:
+        """
+        ``B_2/B_1``; NaN of a squirmer that does not swim.
+        """
+    @property
+    def bottom_heaviness(self, /) -> float:
+        """
+        Bottom-heaviness ``G_bh``.
+        """
+    @property
+    def modes(self, /) -> list[float]:
+        """
+        Slip modes ``B_1, B_2, ...`` up to the highest that is not zero, in units of ``V_s``.
+        """
+    @property
+    def radius(self, /) -> float:
+        """
+        Radius, in radii of the first squirmer of a scene.
+        """
+    @property
+    def speed(self, /) -> float:
+        """
+        Swimming speed of the lone squirmer, ``2 B_1/3``, in units of ``V_s``.
+        """
+    @property
+    def swirl_modes(self, /) -> list[float]:
+        """
+        Swirl modes ``C_1, C_2, ...`` up to the highest that is not zero, in units of ``V_s``.
+        """
+
+def coefficients(model: Model, gaps: ArrayLike, modes: SupportsIndex, swirl_modes: SupportsIndex, ratio: SupportsFloat | SupportsIndex) -> tuple[list[str], NDArray[float64]]:
+    """
+    Coefficients of motion at gaps, each solved for.
+    """
+
+def loads(model: Model, gaps: ArrayLike, modes: SupportsIndex, swirl_modes: SupportsIndex, ratio: SupportsFloat | SupportsIndex, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[list[str], NDArray[float64], NDArray[float64]]:
+    """
+    Loads at gaps, each solved for.
+    """
+
+def run(scene: Scene, model: Model, *, end_time: SupportsFloat | SupportsIndex | None = None, tolerance: SupportsFloat | SupportsIndex | None = None, departure_distance: SupportsFloat | SupportsIndex | None = None, angles_at: SupportsFloat | SupportsIndex | None = None, sample_interval: SupportsFloat | SupportsIndex | None = None, samples: bool = True, max_steps: SupportsIndex | None = None) -> Run:
+    """
+    Runs a scene under a model.
+    """
+
+def set_threads(threads: SupportsIndex) -> None:
+    """
+    Sets the number of threads for all further work of this process, once, before any.
+    """
