@@ -98,7 +98,7 @@ def loads(
     --------
     >>> import squirmers
     >>> squirmers.loads("exact", [0.01, 1.0])["X11A"].round(6)
-    array([26.036805,  1.220053])
+    array([27.034008,  1.36848 ])
     """
     names, values, errors = _native.loads(
         as_model(model), gaps, modes, swirl_modes, ratio, shower(progress)

@@ -107,9 +107,9 @@ class Scene:
         Swimming directions in the x-y plane, in degrees; they may wind. Not together with `orientations`.
     orientations : array_like, shape (2, 3), optional
         Swimming directions in space, of any length.
-    repulsion : pair of float, optional
+    repulsion : pair of float or "paper", optional
         ``(kappa1, kappa2)`` of the repulsion at short range, both greater than 0: the force is ``kappa1 kappa2 e/(1 - e)`` with
-        ``e = exp(-kappa2 gap)``, per ``mu a V_s``. The paper has (10, 100). Without it there is none, and squirmers may touch.
+        ``e = exp(-kappa2 gap)``, per ``mu a V_s``; ``"paper"`` stands for the paper's (10, 100). Without it there is none, and squirmers may touch.
     gravity : array_like, shape (3,), optional
         Direction of gravity, of any length. It turns squirmers with bottom-heaviness.
 
@@ -122,13 +122,13 @@ class Scene:
     --------
     >>> import squirmers
     >>> puller = squirmers.Squirmer(beta=5.0)
-    >>> scene = squirmers.Scene(puller, [(-0.5, 5.0), (0.5, -5.0)], angles_deg=(-90, 90), repulsion=(10, 100))
+    >>> scene = squirmers.Scene(puller, [(-0.5, 5.0), (0.5, -5.0)], angles_deg=(-90, 90), repulsion="paper")
     >>> round(scene.gap, 3)
     8.05
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, squirmers: Any, positions: ArrayLike, *, angles_deg: ArrayLike | None = None, orientations: ArrayLike | None = None, repulsion: tuple[SupportsFloat | SupportsIndex, SupportsFloat | SupportsIndex] | None = None, gravity: ArrayLike | None = None) -> Scene: ...
+    def __new__(cls, /, squirmers: Any, positions: ArrayLike, *, angles_deg: ArrayLike | None = None, orientations: ArrayLike | None = None, repulsion: str | tuple[SupportsFloat | SupportsIndex, SupportsFloat | SupportsIndex] | None = None, gravity: ArrayLike | None = None) -> Scene: ...
     def __reduce__(self, /) -> "tuple[object, ...]":
         """
         What pickles keep: a call that makes the same scene.

@@ -39,9 +39,9 @@ enum Origin {
 ///     Swimming directions in the x-y plane, in degrees; they may wind. Not together with `orientations`.
 /// orientations : array_like, shape (2, 3), optional
 ///     Swimming directions in space, of any length.
-/// repulsion : pair of float, optional
+/// repulsion : pair of float or "paper", optional
 ///     ``(kappa1, kappa2)`` of the repulsion at short range, both greater than 0: the force is ``kappa1 kappa2 e/(1 - e)`` with
-///     ``e = exp(-kappa2 gap)``, per ``mu a V_s``. The paper has (10, 100). Without it there is none, and squirmers may touch.
+///     ``e = exp(-kappa2 gap)``, per ``mu a V_s``; ``"paper"`` stands for the paper's (10, 100). Without it there is none, and squirmers may touch.
 /// gravity : array_like, shape (3,), optional
 ///     Direction of gravity, of any length. It turns squirmers with bottom-heaviness.
 ///
@@ -54,7 +54,7 @@ enum Origin {
 /// --------
 /// >>> import squirmers
 /// >>> puller = squirmers.Squirmer(beta=5.0)
-/// >>> scene = squirmers.Scene(puller, [(-0.5, 5.0), (0.5, -5.0)], angles_deg=(-90, 90), repulsion=(10, 100))
+/// >>> scene = squirmers.Scene(puller, [(-0.5, 5.0), (0.5, -5.0)], angles_deg=(-90, 90), repulsion="paper")
 /// >>> round(scene.gap, 3)
 /// 8.05
 #[pyclass(frozen, eq, module = "squirmers")]
@@ -73,6 +73,25 @@ fn rows(what: &'static str, given: &Numbers<'_>, allowed: &[usize]) -> PyResult<
         let allowed = "give a row for each of the two squirmers";
         input(what, given.shape_in_words(), allowed)
     })
+}
+
+/// How strong repulsion is: in words or in numbers.
+#[derive(FromPyObject)]
+enum Strength {
+    Named(String),
+    Numbers(f64, f64),
+}
+
+impl Strength {
+    fn repulsion(self) -> PyResult<Repulsion> {
+        match self {
+            Self::Named(name) if name == "paper" => Ok(Repulsion::PAPER),
+            Self::Named(name) => {
+                Err(input("repulsion", name, "give (kappa1, kappa2) or 'paper'"))
+            }
+            Self::Numbers(kappa1, kappa2) => Repulsion::new(kappa1, kappa2).map_err(of_scene),
+        }
+    }
 }
 
 fn pair_of(squirmers: &Bound<'_, PyAny>) -> PyResult<[::scene::Squirmer; 2]> {
@@ -137,7 +156,7 @@ impl Scene {
         positions: Numbers<'_>,
         angles_deg: Option<Numbers<'_>>,
         orientations: Option<Numbers<'_>>,
-        repulsion: Option<(f64, f64)>,
+        repulsion: Option<Strength>,
         gravity: Option<Numbers<'_>>,
     ) -> PyResult<Self> {
         let orientations = match (angles_deg, orientations) {
@@ -161,12 +180,12 @@ impl Scene {
         let gravity = gravity
             .map(|given| given.exactly::<3>("gravity"))
             .transpose()?;
-        let repulsion = repulsion.map(|(kappa1, kappa2)| Repulsion::new(kappa1, kappa2));
+        let repulsion = repulsion.map(Strength::repulsion);
         let pulls = gravity.map(|direction| Gravity::new(Vector3::from(direction)));
         let scene = Native::new(
             pair_of(squirmers)?,
             start,
-            repulsion.transpose().map_err(of_scene)?,
+            repulsion.transpose()?,
             pulls.transpose().map_err(of_scene)?,
         );
         Ok(Self {
