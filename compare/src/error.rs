@@ -4,6 +4,11 @@ use std::path::PathBuf;
 
 use scene::SceneError;
 
+use crate::submission::shown;
+
+/// Longest value in a message, in bytes.
+const LONGEST: usize = 300;
+
 /// Kinds of failures: who can correct them, and how.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FailureKind {
@@ -137,12 +142,12 @@ pub enum CompareError {
 }
 
 impl CompareError {
-    /// A value that is not allowed.
+    /// A value that is not allowed. Of a long one the message has the beginning.
     #[must_use]
     pub fn input(what: &'static str, value: impl ToString, allowed: impl Into<String>) -> Self {
         Self::Input {
             what,
-            value: value.to_string(),
+            value: shown(&value.to_string(), LONGEST),
             allowed: allowed.into(),
         }
     }

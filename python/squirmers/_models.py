@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from ._native import Model
+from ._native import Model, Scene
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from ._native import Scene
 
 _named: dict[tuple[str, int | None, bool], Model] = {}
 
@@ -24,7 +23,11 @@ def _known(name: str, level: int | None, direct: bool) -> Model:
 
 def as_model(model: str | Model) -> Model:
     """The model itself, or the one of this name."""
-    return model if isinstance(model, Model) else _known(model, None, False)
+    if isinstance(model, Model):
+        return model
+    if not isinstance(model, str):
+        raise TypeError(f"a model is a Model or a name, not {type(model).__name__}")
+    return _known(model, None, False)
 
 
 def as_models(models: str | Model | Iterable[str | Model]) -> list[Model]:
@@ -36,4 +39,6 @@ def as_models(models: str | Model | Iterable[str | Model]) -> list[Model]:
 
 def model_of(scene: Scene, model: str | Model | None) -> Model:
     """The model that is given, or else the scene's own, or else the exact one."""
+    if not isinstance(scene, Scene):
+        raise TypeError(f"a scene is a Scene, not {type(scene).__name__}")
     return _known(*scene._model()) if model is None else as_model(model)

@@ -6,8 +6,10 @@ use ::scene::nalgebra::Vector3;
 use ::scene::{Gravity, Orientation, Pose, Repulsion, RunOptions, Scene as Native};
 use compare::scene_file::Hydrodynamics;
 use compare::{CompareError, Family, FamilyScene, Method};
+use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString, PyTuple};
+use pyo3::{type_hint_identifier, type_hint_subscript, type_hint_union};
 
 use crate::array::{Array, Numbers};
 use crate::error::{input, of_mistakes, of_scene, raised};
@@ -75,21 +77,30 @@ fn rows(what: &'static str, given: &Numbers<'_>, allowed: &[usize]) -> PyResult<
     })
 }
 
-/// How strong repulsion is: in words or in numbers.
-#[derive(FromPyObject)]
-enum Strength {
-    Named(String),
-    Numbers(f64, f64),
-}
+/// Repulsion in words or in numbers.
+struct Strength(Repulsion);
 
-impl Strength {
-    fn repulsion(self) -> PyResult<Repulsion> {
-        match self {
-            Self::Named(name) if name == "paper" => Ok(Repulsion::PAPER),
-            Self::Named(name) => {
-                Err(input("repulsion", name, "give (kappa1, kappa2) or 'paper'"))
-            }
-            Self::Numbers(kappa1, kappa2) => Repulsion::new(kappa1, kappa2).map_err(of_scene),
+impl<'a, 'py> FromPyObject<'a, 'py> for Strength {
+    type Error = PyErr;
+
+    const INPUT_TYPE: PyStaticExpr = type_hint_union!(
+        type_hint_subscript!(
+            type_hint_identifier!("builtins", "tuple"),
+            type_hint_identifier!("builtins", "float"),
+            type_hint_identifier!("builtins", "float")
+        ),
+        type_hint_identifier!("builtins", "str")
+    );
+
+    fn extract(object: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+        let allowed = "give (kappa1, kappa2), or 'paper'";
+        if let Ok((kappa1, kappa2)) = object.extract::<(f64, f64)>() {
+            return Ok(Self(Repulsion::new(kappa1, kappa2).map_err(of_scene)?));
+        }
+        match object.extract::<String>() {
+            Ok(name) if name == "paper" => Ok(Self(Repulsion::PAPER)),
+            Ok(name) => Err(input("repulsion", name, allowed)),
+            Err(_) => Err(input("repulsion", object.get_type().name()?, allowed)),
         }
     }
 }
@@ -180,12 +191,12 @@ impl Scene {
         let gravity = gravity
             .map(|given| given.exactly::<3>("gravity"))
             .transpose()?;
-        let repulsion = repulsion.map(Strength::repulsion);
+        let repulsion = repulsion.map(|Strength(repulsion)| repulsion);
         let pulls = gravity.map(|direction| Gravity::new(Vector3::from(direction)));
         let scene = Native::new(
             pair_of(squirmers)?,
             start,
-            repulsion.transpose()?,
+            repulsion,
             pulls.transpose().map_err(of_scene)?,
         );
         Ok(Self {

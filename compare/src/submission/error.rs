@@ -245,7 +245,7 @@ fn place(line: u64) -> String {
 }
 
 /// What stands in a file, in printable letters and short enough for a line: at most `most` bytes, and three dots for the rest.
-pub(super) fn shown(text: &str, most: usize) -> String {
+pub(crate) fn shown(text: &str, most: usize) -> String {
     let mut short = String::new();
     for letter in text.chars() {
         let before = short.len();

@@ -25,6 +25,7 @@ use crate::{CompareError, Method};
 
 pub(crate) use convert::derived;
 pub use error::SubmissionError;
+pub(crate) use error::shown;
 pub use header::{Header, Interpolation, MatrixKind};
 pub use matrix::MatrixLaws;
 pub use model::SubmittedModel;
