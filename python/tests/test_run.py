@@ -1,6 +1,8 @@
 """Scenes, runs, loads: the same numbers as the library's, and what a trajectory is."""
 
+import json
 import pickle
+import subprocess
 
 import numpy as np
 import pytest
@@ -132,3 +134,44 @@ def test_a_table_is_the_same_in_every_form():
         table["X13A"]
     with pytest.raises(ValueError):
         table["X11A"][0] = 1
+
+
+@pytest.mark.parametrize("model", ["lubrication", "exact"])
+def test_a_run_has_the_bits_of_the_command_line(program, tmp_path, model):
+    text = f"""
+    hydrodynamics = "{model}"
+    repulsion = "paper"
+    [[squirmer]]
+    position = [-0.5, 5.0, 0.1]
+    orientation = -90.0
+    beta = 5.0
+    [[squirmer]]
+    position = [0.5, -5.0]
+    orientation = [0.1, 0.8, 0.2]
+    beta = 4.0
+    """
+    file = tmp_path / "scene.toml"
+    file.write_text(text)
+    subprocess.run([program, "run", file, "--out", tmp_path], check=True, capture_output=True)
+    run = squirmers.run(squirmers.Scene.from_toml(text))
+    theirs = np.genfromtxt(tmp_path / "run.csv", delimiter=",", names=True)
+    ours = run.to_pandas()
+    assert list(ours.columns) == list(theirs.dtype.names)
+    for name in ours.columns:
+        # Text holds every bit.
+        assert np.array_equal(ours[name].to_numpy(), theirs[name]), name
+    summary = json.loads((tmp_path / "run.json").read_text())
+    assert [summary["deflection1_deg"], summary["deflection2_deg"]] == list(run.deflections_deg)
+    for name, value in [("min_gap", run.min_gap), ("contact_time", run.tau), ("end_time", run.end_time), ("steps", run.steps), ("outcome", run.outcome)]:
+        assert summary[name] == value, name
+    assert summary["truncation_deg"] == run.truncation_deg
+
+
+def test_loads_have_the_bits_of_the_command_line(program, tmp_path):
+    subprocess.run([program, "loads", "--gap", "0.03,2", "--method", "exact,lt", "--out", tmp_path], check=True, capture_output=True)
+    rows = (tmp_path / "loads.csv").read_text().splitlines()
+    header = rows[0].split(",")
+    for line in rows[1:]:
+        row = dict(zip(header, line.split(","), strict=True))
+        ours = squirmers.loads(row["method"], [float(row["gap"])])
+        assert ours[row["name"]][0] == float(row["value"]), row
