@@ -11,7 +11,6 @@ extensions = [
     "myst_nb",
     "numpydoc",
     "sphinx.ext.autodoc",
-    "sphinx.ext.mathjax",
     "matplotlib.sphinxext.plot_directive",
 ]
 exclude_patterns = ["requirements.txt"]
@@ -24,7 +23,6 @@ nitpick_ignore_regex = [
     (r"py:.*", r"(array_like|optional|default.*|shape|path|sequence.*|callable|mapping|None|True|False|\d.*|\{.*)"),
 ]
 
-myst_enable_extensions = ["dollarmath", "deflist"]
 myst_heading_anchors = 3
 # Words in the margin of a code block that no lexer knows.
 suppress_warnings = ["misc.highlighting_failure"]

@@ -39,15 +39,15 @@ for vector, name in ((d, "$d$"), (t, "$t$")):
 y = -3.35
 arrow(ax, (0, y), (centres[0][0], y), color="black")
 arrow(ax, (0, y), (centres[1][0], y), color="black")
-ax.text(0, y + 0.2, r"$\delta x$", ha="center", fontsize=13)
+ax.text(0, y + 0.2, "dx", ha="center", fontsize=13)
 # Angles: that of squirmer 2 is 90 degrees.
 corner = np.array([3.0, 1.4])
 ax.plot([corner[0], corner[0] + 1.2], [corner[1]] * 2, color="0.25", lw=1.0)
 arrow(ax, corner, corner + np.array([0.78, 0.78]), color="0.25", lw=1.6)
 ax.add_patch(Arc(corner, 1.3, 1.3, theta1=0, theta2=45, color="0.25"))
 arrow(ax, corner + 0.65 * np.array([0.79, 0.61]), corner + 0.65 * np.array([0.707, 0.707]), color="0.25")
-ax.text(corner[0] + 0.85, corner[1] + 0.3, r"$\theta > 0$", color="0.25", va="center")
-ax.text(corner[0] + 0.1, corner[1] - 0.35, "angle from the x axis", color="0.25", va="center", fontsize=9)
+ax.text(corner[0] + 0.85, corner[1] + 0.3, "angle > 0", color="0.25", va="center")
+ax.text(corner[0] + 0.1, corner[1] - 0.35, "from the x axis,\nanticlockwise", color="0.25", va="top", fontsize=9)
 # Axes of the laboratory.
 origin = np.array([-4.4, -3.0])
 for vector, name in (((1.0, 0.0), "x"), ((0.0, 1.0), "y")):
