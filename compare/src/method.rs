@@ -334,3 +334,30 @@ impl<'de> Deserialize<'de> for Method {
         Self::named(&name).ok_or_else(|| D::Error::custom(format!("'{name}' is not a method")))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_that_is_replaced_names_the_last_model_and_the_first_can_still_be_used() {
+        let of_ratio =
+            |ratio| -> Arc<dyn Hydrodynamics> { Arc::new(scene::Isolated::of_ratio(ratio)) };
+        let first = Method::replace("replaced", of_ratio(1.0), false).unwrap();
+        let last = Method::replace("replaced", of_ratio(0.5), false).unwrap();
+        assert_ne!(first, last);
+        assert_eq!(Method::named("replaced"), Some(last));
+        let ratio = |method| match method {
+            Method::Other(other) => other.hydrodynamics().description().ratio,
+            _ => f64::NAN,
+        };
+        assert_eq!([first, last].map(ratio), [1.0, 0.5]);
+        assert!(Method::register("replaced", Box::new(scene::Isolated::EQUAL)).is_err());
+        for refused in ["exact", "none", "", "a b"] {
+            assert!(
+                Method::replace(refused, of_ratio(1.0), false).is_err(),
+                "{refused}"
+            );
+        }
+    }
+}
