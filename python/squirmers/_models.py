@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from ._native import Model
+from ._native import Model, family_model
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    import os
     from collections.abc import Iterable
 
     from ._native import Scene
@@ -37,3 +38,13 @@ def as_models(models: str | Model | Iterable[str | Model]) -> list[Model]:
 def model_of(scene: Scene, model: str | Model | None) -> Model:
     """The model that is given, or else the scene's own, or else the exact one."""
     return _known(*scene._model()) if model is None else as_model(model)
+
+
+def models_of_family(
+    family: str | os.PathLike[str], models: str | Model | Iterable[str | Model] | None
+) -> list[Model]:
+    """The models that are given, or else the one that a family names, or else lubrication theory and the exact one."""
+    own = family_model(family) if models is None else None
+    if own is not None:
+        return [_known(*own)]
+    return as_models(("lt", "exact") if models is None else models)
