@@ -36,6 +36,11 @@ pub(crate) fn refused(line: String) -> PyErr {
     of_type("InputError", line)
 }
 
+/// Work that cannot be done: `squirmers.ComputationError`.
+pub(crate) fn impossible(line: &str) -> PyErr {
+    of_type("ComputationError", line.to_owned())
+}
+
 /// What options of the command line are called in Python.
 const ARGUMENTS: [(&str, &str); 13] = [
     ("--vary", "axes"),

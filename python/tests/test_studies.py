@@ -387,6 +387,32 @@ def test_long_work_ends_at_an_interrupt_keeps_nothing_unfinished_and_the_interpr
     assert kept.count("\n") == 1, kept
 
 
+FORKED = """
+import multiprocessing
+import squirmers
+
+def swept(dx):
+    try:
+        return len(squirmers.sweep("opposed", {"dx": dx}, "lt"))
+    except squirmers.ComputationError as error:
+        return str(error)
+
+for work in range(2):
+    with multiprocessing.get_context("fork").Pool(1) as pool:
+        print(pool.apply(swept, ([1.0, 2.0],)))
+    swept([1.0])
+"""
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="nothing forks")
+def test_a_process_that_is_forked_after_work_began_is_refused_and_does_not_hang():
+    done = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", FORKED], capture_output=True, text=True, timeout=60, check=True
+    )
+    before, after = done.stdout.splitlines()
+    assert before == "2" and "was forked" in after and "spawn" in after
+
+
 def test_shares_on_workers_of_dask_merge_to_the_bytes_of_one_process(tmp_path, monkeypatch):
     monkeypatch.syspath_prepend(EXAMPLES)
     from dask_sweep import dask_sweep
