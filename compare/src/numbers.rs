@@ -10,6 +10,33 @@ const MOST: usize = 100_000;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Numbers(pub Vec<f64>);
 
+impl Numbers {
+    /// A list, if it has one number at least, all are finite, and none is there twice.
+    ///
+    /// # Errors
+    /// One line that says what is wrong.
+    pub fn new(numbers: Vec<f64>) -> Result<Self, String> {
+        if numbers.is_empty() {
+            return Err("the list is empty: give one number at least".to_owned());
+        }
+        if numbers.len() > MOST {
+            return Err(format!("the list is longer than {MOST} numbers"));
+        }
+        if let Some(wrong) = numbers.iter().find(|number| !number.is_finite()) {
+            return Err(format!("{wrong:?} is in the list: numbers must be finite"));
+        }
+        let mut sorted = numbers.clone();
+        sorted.sort_by(f64::total_cmp);
+        match sorted
+            .windows(2)
+            .find(|two| two[0].total_cmp(&two[1]).is_eq())
+        {
+            Some(two) => Err(format!("{:?} is in the list twice: once is enough", two[0])),
+            None => Ok(Self(numbers)),
+        }
+    }
+}
+
 /// Parses numbers, ranges `a:b:step` and logarithmic ranges `a:b:log:count`, separated by commas. Ranges contain
 /// both ends.
 ///
@@ -52,15 +79,7 @@ pub fn parse_numbers(text: &str) -> Result<Numbers, String> {
             ));
         }
     }
-    let mut sorted = numbers.clone();
-    sorted.sort_by(f64::total_cmp);
-    match sorted
-        .windows(2)
-        .find(|two| two[0].total_cmp(&two[1]).is_eq())
-    {
-        Some(two) => Err(format!("{:?} is in the list twice: once is enough", two[0])),
-        None => Ok(Numbers(numbers)),
-    }
+    Numbers::new(numbers)
 }
 
 fn number(text: &str) -> Result<f64, String> {

@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempDir};
 
 use crate::CompareError;
 use crate::account::Account;
@@ -22,6 +22,8 @@ pub struct OutputFolder {
     /// The locked folder. The system unlocks it when the process ends, even after a crash.
     _lock: Option<Arc<File>>,
     fresh: bool,
+    /// The folder, if it is deleted with the last of these values.
+    temporary: Option<Arc<TempDir>>,
     account: Arc<Account>,
     /// Part files that this command continues.
     parts: Arc<Mutex<HashSet<String>>>,
@@ -51,6 +53,27 @@ impl OutputFolder {
         Self::claim(path, Others::Alike)
     }
 
+    /// A folder of its own, which is deleted at the end: an interrupted sweep keeps nothing in it.
+    ///
+    /// # Errors
+    /// [`CompareError::Write`] if no folder can be made.
+    pub fn temporary() -> Result<Self, CompareError> {
+        let folder = TempDir::with_prefix("squirmers-").map_err(|source| CompareError::Write {
+            path: std::env::temp_dir(),
+            source,
+        })?;
+        let open = Self::open(folder.path())?;
+        Ok(Self {
+            temporary: Some(Arc::new(folder)),
+            ..open
+        })
+    }
+
+    /// Whether what is written remains.
+    pub fn is_kept(&self) -> bool {
+        self.temporary.is_none()
+    }
+
     fn claim(path: &Path, others: Others) -> Result<Self, CompareError> {
         let failed = |source| CompareError::Write {
             path: path.to_owned(),
@@ -63,6 +86,7 @@ impl OutputFolder {
             path: path.to_owned(),
             _lock: lock.map(Arc::new),
             fresh: false,
+            temporary: None,
             account: Arc::default(),
             parts: Arc::default(),
         })

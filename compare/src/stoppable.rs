@@ -16,10 +16,15 @@ pub(crate) struct Stoppable(pub Arc<dyn Hydrodynamics>);
 #[error("the work was given up")]
 struct GivenUp;
 
+/// The error of work that was given up.
+pub(crate) fn given_up() -> SceneError {
+    SceneError::from_model("interrupted", GivenUp)
+}
+
 /// An error if work was given up.
 pub(crate) fn check() -> Result<(), SceneError> {
     if watch::given_up() {
-        return Err(SceneError::from_model("interrupted", GivenUp));
+        return Err(given_up());
     }
     Ok(())
 }

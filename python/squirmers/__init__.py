@@ -11,6 +11,7 @@ array([-11.698, -11.698])
 from ._errors import ComputationError, FileError, InputError, SquirmersError
 from ._loads import loads, mobility
 from ._native import Model, Scene, Squirmer, __version__, set_threads
+from ._studies import Kinetics, Sensitivity, bound_states, fates, kinetics, merge, scatter, sensitivity, sweep
 from ._table import Column, Table
 from ._trajectory import Trajectory, run
 
@@ -19,15 +20,24 @@ __all__ = [
     "ComputationError",
     "FileError",
     "InputError",
+    "Kinetics",
     "Model",
     "Scene",
+    "Sensitivity",
     "Squirmer",
     "SquirmersError",
     "Table",
     "Trajectory",
     "__version__",
+    "bound_states",
+    "fates",
+    "kinetics",
     "loads",
+    "merge",
     "mobility",
     "run",
+    "scatter",
+    "sensitivity",
     "set_threads",
+    "sweep",
 ]

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from ._native import Model, Scene
+from ._native import Model, Scene, family_model
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    import os
     from collections.abc import Iterable
-
 
 _named: dict[tuple[str, int | None, bool], Model] = {}
 
@@ -42,3 +42,13 @@ def model_of(scene: Scene, model: str | Model | None) -> Model:
     if not isinstance(scene, Scene):
         raise TypeError(f"a scene is a Scene, not {type(scene).__name__}")
     return _known(*scene._model()) if model is None else as_model(model)
+
+
+def models_of_family(
+    family: str | os.PathLike[str], models: str | Model | Iterable[str | Model] | None
+) -> list[Model]:
+    """The models that are given, or else the one that a family names, or else lubrication theory and the exact one."""
+    own = family_model(family) if models is None else None
+    if own is not None:
+        return [_known(*own)]
+    return as_models(("lt", "exact") if models is None else models)

@@ -2,7 +2,7 @@
 `squirmers._native`.
 """
 
-from _typeshed import SupportsLenAndGetItem
+from _typeshed import SupportsGetItem, SupportsLenAndGetItem
 from collections.abc import Callable
 from numpy import float64
 from numpy.typing import ArrayLike, NDArray
@@ -10,7 +10,7 @@ from os import PathLike
 from typing import Any, Final, SupportsFloat, SupportsIndex, final
 from typing_extensions import disjoint_base
 
-__all__ = ["__version__", "Model", "Run", "Scene", "Squirmer", "coefficients", "loads", "run", "set_threads"]
+__all__ = ["__version__", "Model", "Run", "Scene", "Squirmer", "bound_states", "coefficients", "family_model", "fates", "kinetics", "loads", "merge", "run", "scatter", "sensitivity", "set_threads", "sweep"]
 
 __version__: Final[str]
 """
@@ -310,9 +310,29 @@ class Squirmer:
         Swirl modes ``C_1, C_2, ...`` up to the highest that is not zero, in units of ``V_s``.
         """
 
+def bound_states(models: SupportsGetItem[int, Model], beta: ArrayLike) -> tuple[list[tuple[str, str, str]], list[Any], str]:
+    """
+    The bound states of every model and squirmer parameter.
+    """
+
 def coefficients(model: Model, gaps: ArrayLike, modes: SupportsIndex, swirl_modes: SupportsIndex, ratio: SupportsFloat | SupportsIndex) -> tuple[list[str], NDArray[float64]]:
     """
     Coefficients of motion at gaps, each solved for.
+    """
+
+def family_model(name: str | PathLike[str]) -> tuple[str, int | None, bool] | None:
+    """
+    Name, level and directness of the model that a family's file names.
+    """
+
+def fates(beta: ArrayLike, models: SupportsGetItem[int, Model], *, g: ArrayLike, grid: SupportsIndex, out: str | PathLike[str] | None, fresh: bool, tolerance: SupportsFloat | SupportsIndex, angles_at: SupportsFloat | SupportsIndex, time_limit: SupportsFloat | SupportsIndex | None, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[list[tuple[str, str, str]], list[Any], str]:
+    """
+    Maps over the incoming angles: the shares of the outcomes.
+    """
+
+def kinetics(beta: ArrayLike, models: SupportsGetItem[int, Model], *, impact: ArrayLike, count: SupportsIndex, replications: SupportsIndex, out: str | PathLike[str] | None, fresh: bool, tolerance: SupportsFloat | SupportsIndex, angles_at: SupportsFloat | SupportsIndex, time_limit: SupportsFloat | SupportsIndex | None, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[tuple[list[tuple[str, str, str]], list[Any], str], tuple[list[tuple[str, str, str]], list[Any], str]]:
+    """
+    Collision integrals, and what each model makes of those of the exact one.
     """
 
 def loads(model: Model, gaps: ArrayLike, modes: SupportsIndex, swirl_modes: SupportsIndex, ratio: SupportsFloat | SupportsIndex, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[list[str], NDArray[float64], NDArray[float64]]:
@@ -320,12 +340,32 @@ def loads(model: Model, gaps: ArrayLike, modes: SupportsIndex, swirl_modes: Supp
     Loads at gaps, each solved for.
     """
 
+def merge(folders: SupportsGetItem[int, str | PathLike[str]], out: str | PathLike[str] | None) -> tuple[tuple[list[tuple[str, str, str]], list[Any], str], str, int]:
+    """
+    Merges the shares of a sweep. Also names the file of the rows, and says how many kinds of arithmetic they come from.
+    """
+
 def run(scene: Scene, model: Model, *, end_time: SupportsFloat | SupportsIndex | None = None, tolerance: SupportsFloat | SupportsIndex | None = None, departure_distance: SupportsFloat | SupportsIndex | None = None, angles_at: SupportsFloat | SupportsIndex | None = None, sample_interval: SupportsFloat | SupportsIndex | None = None, samples: bool = True, max_steps: SupportsIndex | None = None) -> Run:
     """
     Runs a scene under a model.
     """
 
+def scatter(beta: ArrayLike, models: SupportsGetItem[int, Model], *, g: ArrayLike, grid: SupportsIndex, out: str | PathLike[str] | None, fresh: bool, tolerance: SupportsFloat | SupportsIndex, angles_at: SupportsFloat | SupportsIndex, time_limit: SupportsFloat | SupportsIndex | None, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[list[tuple[str, str, str]], list[Any], str]:
+    """
+    Maps over the incoming angles: a row for each run.
+    """
+
+def sensitivity(name: str | PathLike[str] | None, axes_of: SupportsGetItem[int, tuple[str, ArrayLike]], models: SupportsGetItem[int, Model], *, out: str | PathLike[str] | None, fresh: bool, tolerance: SupportsFloat | SupportsIndex | None, time_limit: SupportsFloat | SupportsIndex | None, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[tuple[list[tuple[str, str, str]], list[Any], str], tuple[list[tuple[str, str, str]], list[Any], str]]:
+    """
+    How sensitive collisions are: of a family along some of its parameters, or else of the paper's encounters.
+    """
+
 def set_threads(threads: SupportsIndex) -> None:
     """
     Sets the number of threads for all further work of this process, once, before any.
+    """
+
+def sweep(name: str | PathLike[str], axes_of: SupportsGetItem[int, tuple[str, ArrayLike]], models: SupportsGetItem[int, Model], *, out: str | PathLike[str] | None, fresh: bool, partition: str | None, tolerance: SupportsFloat | SupportsIndex | None, angles_at: SupportsFloat | SupportsIndex, time_limit: SupportsFloat | SupportsIndex | None, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[list[tuple[str, str, str]], list[Any], str]:
+    """
+    Runs a family along some of its parameters.
     """

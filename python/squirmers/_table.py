@@ -94,7 +94,10 @@ class Table:
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (Table, (self.columns, list(self._values.values()), self.csv, self.dims))
+        parts = (self.columns, list(self._values.values()), self.csv, self.dims)
+        # Tables that come with others, such as loads with errors, keep them in slots of their own.
+        others = {} if type(self) is Table else {name: getattr(self, name) for name in self.__slots__}
+        return (type(self), parts, (None, others)) if others else (type(self), parts)
 
     def __repr__(self) -> str:
         return f"<Table of {len(self)} rows: {', '.join(self.names)}>"

@@ -3,7 +3,7 @@
 use std::fmt::Arguments;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::sync::mpsc::{self, RecvTimeoutError};
-use std::sync::{Arc, Mutex, Once, PoisonError};
+use std::sync::{Arc, Mutex, Once, OnceLock, PoisonError};
 use std::time::Duration;
 
 use compare::CompareError;
@@ -12,7 +12,7 @@ use pyo3::exceptions::{PyKeyboardInterrupt, PyRuntimeError};
 use pyo3::prelude::*;
 
 use crate::array::Show;
-use crate::error::{input, raised};
+use crate::error::{impossible, input, raised};
 
 /// Time between two looks at interrupts and progress.
 const TICK: Duration = Duration::from_millis(50);
@@ -113,6 +113,19 @@ fn shown(show: Option<&Show<'_>>) -> PyResult<()> {
     show.map_or(Ok(()), |show| show.0.call1((running(),)).map(drop))
 }
 
+/// Refuses a process that was forked after work had begun: it lacks the threads, and would wait for them forever.
+fn check_process() -> PyResult<()> {
+    static BEGAN: OnceLock<u32> = OnceLock::new();
+    let own = std::process::id();
+    if *BEGAN.get_or_init(|| own) == own {
+        return Ok(());
+    }
+    Err(impossible(
+        "this process was forked from one whose work had begun, and lacks its threads: start processes otherwise, as by \
+         multiprocessing.set_start_method('spawn')",
+    ))
+}
+
 /// Does `work` in a thread of its own. Meanwhile the interpreter is free, Ctrl-C stops the work, and `show` is called with what is running; none of it
 /// is shown without. A sweep that keeps its pieces finishes those under way after the first interrupt; everything else ends at once.
 ///
@@ -123,6 +136,7 @@ pub(crate) fn in_background<T: Send + 'static>(
     show: Option<&Show<'_>>,
     work: impl FnOnce() -> Result<T, CompareError> + Send + 'static,
 ) -> PyResult<T> {
+    check_process()?;
     listen();
     let (to, mut from) = mpsc::channel();
     let begun = std::thread::Builder::new()
@@ -188,6 +202,7 @@ pub(crate) fn set_threads(threads: usize) -> PyResult<()> {
         let allowed = format!("give a number from 1 to {MOST_THREADS}");
         return Err(input("threads", threads, allowed));
     }
+    check_process()?;
     let built = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .build_global();

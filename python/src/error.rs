@@ -31,9 +31,49 @@ pub(crate) fn input(what: &'static str, value: impl ToString, allowed: impl Into
     raised(CompareError::input(what, value, allowed))
 }
 
+/// A value that is not allowed, as a whole line says: `squirmers.InputError`.
+pub(crate) fn refused(line: String) -> PyErr {
+    of_type("InputError", line)
+}
+
+/// Work that cannot be done: `squirmers.ComputationError`.
+pub(crate) fn impossible(line: &str) -> PyErr {
+    of_type("ComputationError", line.to_owned())
+}
+
+/// What options of the command line are called in Python.
+const ARGUMENTS: [(&str, &str); 13] = [
+    ("--vary", "axes"),
+    ("--method", "models"),
+    ("--mesh", "level"),
+    ("--tol", "tolerance"),
+    ("--departure", "angles_at"),
+    ("--time-limit", "time_limit"),
+    ("--partition", "partition"),
+    ("--grid", "grid"),
+    ("--impact", "impact"),
+    ("--count", "count"),
+    ("--replications", "replications"),
+    ("--out", "out"),
+    ("--fresh", "fresh"),
+];
+
+/// A message whose options are arguments of Python. Words within quotes stay.
+fn in_python(text: &str) -> String {
+    let word = |word: &str| {
+        let option = word.trim_end_matches([':', ',', ';']);
+        let known = ARGUMENTS.iter().find(|(known, _)| *known == option);
+        known.map_or(word.to_owned(), |(_, argument)| {
+            word.replacen(option, argument, 1)
+        })
+    };
+    let words: Vec<String> = text.split(' ').map(word).collect();
+    words.join(" ")
+}
+
 /// The exception for an error.
 pub(crate) fn raised(error: CompareError) -> PyErr {
-    let text = error.to_string();
+    let text = in_python(&error.to_string());
     match (&error, error.kind()) {
         (
             CompareError::Write { .. }

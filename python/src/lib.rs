@@ -8,6 +8,7 @@ mod model;
 mod run;
 mod scene;
 mod squirmer;
+mod studies;
 mod table;
 
 /// `squirmers._native`.
@@ -25,6 +26,16 @@ mod _native {
     use crate::scene::Scene;
     #[pymodule_export]
     use crate::squirmer::Squirmer;
+    #[pymodule_export]
+    use crate::studies::bound_states::bound_states;
+    #[pymodule_export]
+    use crate::studies::kinetics::kinetics;
+    #[pymodule_export]
+    use crate::studies::maps::{fates, scatter};
+    #[pymodule_export]
+    use crate::studies::sensitivity::sensitivity;
+    #[pymodule_export]
+    use crate::studies::sweep::{family_model, merge, sweep};
 
     /// Version of the library.
     #[expect(non_upper_case_globals, reason = "its name in Python")]

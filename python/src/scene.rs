@@ -158,6 +158,15 @@ pub(crate) fn family(named: &str) -> PyResult<Family> {
     Family::parse(&text_of(PathBuf::from(named))?).map_err(|mistakes| of_mistakes(&mistakes))
 }
 
+/// What `Model` takes: name, level and directness.
+pub(crate) type ModelArguments = (&'static str, Option<usize>, bool);
+
+/// The model that a file names, as `Model` takes it.
+pub(crate) fn as_arguments(of: Hydrodynamics) -> ModelArguments {
+    let level = (of.method == Method::Bem).then_some(of.mesh);
+    (of.method.name(), level, of.direct)
+}
+
 #[pymethods]
 impl Scene {
     #[new]
@@ -324,10 +333,8 @@ impl Scene {
     }
 
     /// Name, level and directness of the model that the scene's file names, or else of the exact one.
-    fn _model(&self) -> (&'static str, Option<usize>, bool) {
-        let of = self.hydrodynamics.unwrap_or(Method::Exact.into());
-        let level = (of.method == Method::Bem).then_some(of.mesh);
-        (of.method.name(), level, of.direct)
+    fn _model(&self) -> ModelArguments {
+        as_arguments(self.hydrodynamics.unwrap_or(Method::Exact.into()))
     }
 
     fn __repr__(&self) -> PyResult<String> {

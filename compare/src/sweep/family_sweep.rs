@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use scene::{Run, RunOptions};
+use scene::{LoadSet, Run, RunOptions};
 use serde::{Deserialize, Serialize};
 
 use super::manifest::SweepIdentity;
@@ -21,6 +21,8 @@ pub struct FamilySweep<'a> {
     pub points: &'a Points,
     /// The models.
     pub models: &'a [Model],
+    /// The loads that the motion reads at the points, see [`Points::reads`].
+    pub loads: Option<LoadSet>,
     /// The share of the rows that this process runs.
     pub share: Share,
     /// Time after which no further piece begins.
@@ -133,7 +135,8 @@ impl FamilySweep<'_> {
         })?;
         if done.is_complete() {
             let share = (self.share, all, done.failed);
-            Manifest::write((self.out, NAME), identity, share, self.models, began)?;
+            let models = (self.models, self.loads.unwrap_or(LoadSet::axial(0)));
+            Manifest::write((self.out, NAME), identity, share, models, began)?;
         }
         Ok(done)
     }

@@ -16,6 +16,7 @@ use rayon::prelude::*;
 
 use crate::CompareError;
 use crate::output::{OutputFolder, part_of};
+use crate::stoppable;
 use crate::watch::{self, Keeping, Pieces, Progress, notice};
 
 const DONE: &str = "done ";
@@ -24,6 +25,8 @@ const DONE: &str = "done ";
 pub(crate) struct Journal {
     path: PathBuf,
     key: String,
+    /// Whether the folder is kept.
+    keeps: bool,
     kept: Mutex<Kept>,
 }
 
@@ -91,6 +94,7 @@ impl Journal {
         Ok(Self {
             path,
             key: key.to_owned(),
+            keeps: out.is_kept(),
             kept: Mutex::new(kept),
         })
     }
@@ -168,7 +172,7 @@ impl Journal {
     /// time limit left out.
     ///
     /// # Errors
-    /// [`CompareError::Interrupted`] after an interrupt; [`CompareError::Write`]; the errors of `compute`.
+    /// [`CompareError::Interrupted`] after an interrupt, [`CompareError::Scene`] if the folder is not kept; [`CompareError::Write`]; the errors of `compute`.
     pub(crate) fn run(
         &self,
         pieces: usize,
@@ -179,7 +183,7 @@ impl Journal {
         let started = Instant::now();
         let pending: Vec<usize> = (0..pieces).filter(|&piece| !self.has(piece)).collect();
         let progress = Progress::begin(what, pending.len(), Pieces::Alike);
-        let _keeping = Keeping::begin();
+        let _keeping = self.keeps.then(Keeping::begin);
         let left = (pending.into_par_iter())
             // Pieces take different times, so each free thread takes the next one.
             .with_max_len(1)
@@ -198,6 +202,9 @@ impl Journal {
             })
             .try_reduce(|| 0, |a, b| Ok(a + b))?;
         if watch::stop_requested() {
+            if !self.keeps {
+                return Err(stoppable::given_up().into());
+            }
             let path = self.path.clone();
             return Err(CompareError::Interrupted {
                 left,

@@ -23,9 +23,6 @@ const GAPS: [f64; 4] = [0.02, 0.3, 1.5, 20.0];
 /// Arguments of elementary functions. The bits of their values identify the arithmetic of a machine.
 const ARGUMENTS: u32 = 256;
 
-/// Loads that stand for a model without a table.
-const UNTABULATED: LoadSet = LoadSet::all(2);
-
 /// The manifest: the file `sweep.json` beside the rows of a share.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -136,11 +133,11 @@ pub struct Arithmetic {
 }
 
 impl Arithmetic {
-    /// The arithmetic of this machine with the given models.
+    /// The arithmetic of this machine with the given models, by mobilities that follow from the loads `read`: all of them are tabulated.
     ///
     /// # Errors
     /// The errors of the models.
-    pub fn of(models: &[Model]) -> Result<Self, SceneError> {
+    pub fn of(models: &[Model], read: LoadSet) -> Result<Self, SceneError> {
         let mut functions = crc32fast::Hasher::new();
         for k in 1..=ARGUMENTS {
             let x = f64::from(k) / 17.0;
@@ -165,9 +162,7 @@ impl Arithmetic {
         let mobilities = (models.iter())
             .map(|model| {
                 let read = MobilitySet {
-                    loads: model
-                        .tabulated()
-                        .map_or(UNTABULATED, |set| set.with_swirl(0)),
+                    loads: read.with_swirl(0),
                     torque: true,
                 };
                 let mut bits = crc32fast::Hasher::new();
@@ -247,7 +242,7 @@ impl Manifest {
         (out, name): (&OutputFolder, &str),
         sweep: SweepIdentity,
         (share, all_rows, failed): (Share, usize, usize),
-        models: &[Model],
+        (models, read): (&[Model], LoadSet),
         began: Instant,
     ) -> Result<(), CompareError> {
         let file = format!("{name}.csv");
@@ -263,7 +258,7 @@ impl Manifest {
             failed,
             bytes,
             checksum,
-            arithmetic: vec![Arithmetic::of(models)?],
+            arithmetic: vec![Arithmetic::of(models, read)?],
             threads: rayon::current_num_threads(),
             seconds: began.elapsed().as_secs_f64(),
         };

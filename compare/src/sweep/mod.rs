@@ -2,6 +2,7 @@
 
 mod family_sweep;
 mod journal;
+mod limits;
 mod manifest;
 mod merge;
 mod pieces;
@@ -14,6 +15,7 @@ use scene::RunOptions;
 
 pub(crate) use family_sweep::Tail as SweepTail;
 pub use family_sweep::{FamilySweep, SweepRow};
+pub use limits::{checked_angles_at, checked_time_limit, checked_tolerance};
 pub use manifest::{Arithmetic, Axis, Manifest, ManifestModel, SweepIdentity};
 pub use merge::{Merged, merge};
 pub(crate) use pieces::key;

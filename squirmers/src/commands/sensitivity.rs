@@ -7,10 +7,10 @@ use clap::Args;
 use compare::Method;
 use compare::numbers::{Numbers, parse_number, rounded, written};
 use compare::study::sensitivity::{self, Part, SensitivityCase, SensitivityStudy};
-use compare::sweep::{Points, RunChoices};
+use compare::sweep::{Points, RunChoices, checked_time_limit, checked_tolerance};
 
 use super::many::{keep_first, print_rest};
-use super::shared::{checked_time_limit, checked_tolerance, model_options, set_up};
+use super::shared::{model_options, set_up};
 use super::sweep::{family, parse_vary};
 use crate::arguments::{GeneralArguments, ModelArguments};
 use crate::error::CommandError;

@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 use ::scene::{MAX_MODES, RunOptions, Squirmer};
-use compare::numbers::{Numbers, written};
+use compare::numbers::Numbers;
 use compare::scene_file::SAMPLE_INTERVAL;
-use compare::sweep::SweepOptions;
+use compare::sweep::{SweepOptions, checked_angles_at, checked_time_limit, checked_tolerance};
 use compare::{Method, Model, ModelOptions};
 
 use crate::arguments::{GeneralArguments, LimitArguments, ModelArguments, RunArguments};
@@ -58,48 +58,13 @@ pub(super) fn checked_ratios(ratios: Vec<f64>) -> Result<Vec<f64>, CommandError>
     Ok(ratios)
 }
 
-/// The tolerance, if it is allowed.
-pub(super) fn checked_tolerance(tolerance: f64) -> Result<f64, CommandError> {
-    if !(1e-14..=1e-2).contains(&tolerance) {
-        let allowed = "give a number from 1e-14 to 1e-2";
-        let value = format!("{tolerance:?}");
-        return Err(CommandError::input("--tol", value, allowed));
-    }
-    Ok(tolerance)
-}
-
 /// The distance at which angles are read, and the time limit, if they are allowed. All methods must have loads there.
 pub(super) fn checked_limits(
     limits: &LimitArguments,
     methods: &[Method],
 ) -> Result<(f64, Option<Duration>), CommandError> {
-    let angles_at = limits.departure;
-    for method in methods {
-        let farthest = 2.0 + method.largest_gap();
-        if angles_at > farthest {
-            let allowed = format!(
-                "{method} has no loads at larger gaps: give a distance of the centres up to {}",
-                written(farthest)
-            );
-            return Err(CommandError::input("--departure", angles_at, allowed));
-        }
-    }
-    if angles_at.is_nan() || angles_at <= 2.0 {
-        let allowed = "give a distance of the centres greater than 2 (radii), or inf";
-        let value = format!("{angles_at:?}");
-        return Err(CommandError::input("--departure", value, allowed));
-    }
+    let angles_at = checked_angles_at(limits.departure, methods)?;
     Ok((angles_at, checked_time_limit(limits.time_limit)?))
-}
-
-/// The time limit, if it is allowed.
-pub(super) fn checked_time_limit(seconds: Option<f64>) -> Result<Option<Duration>, CommandError> {
-    let limit = seconds.map(|seconds| {
-        let allowed = "give a number of seconds, 0 or more";
-        Duration::try_from_secs_f64(seconds)
-            .map_err(|_| CommandError::input("--time-limit", seconds, allowed))
-    });
-    limit.transpose()
 }
 
 pub(super) fn sweep_options(

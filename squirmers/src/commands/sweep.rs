@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use clap::{Arg, Args};
 use compare::numbers::{Numbers, parse_number, parse_numbers, rounded, written};
-use compare::sweep::{self, FamilySweep, Points, RunChoices, Share, SweepRow};
+use compare::sweep::{self, FamilySweep, Points, RunChoices, Share, SweepRow, checked_tolerance};
 use compare::{CompareError, Family, ModelOptions};
 
 use super::many::{keep_first, print_rest};
 use super::maps::METHODS;
-use super::shared::{checked_limits, checked_tolerance, model_options, set_up};
+use super::shared::{checked_limits, model_options, set_up};
 use crate::arguments::{GeneralArguments, LimitArguments, ModelArguments, methods_help};
 use crate::error::CommandError;
 use crate::streams::{print_error, print_line};
@@ -93,11 +93,14 @@ pub(super) fn run(
     };
     let points = Points::new(family, &arguments.vary, choices)?;
     let out = general.output()?;
-    let options = options.for_reads(points.reads()?);
+    let reads = points.reads()?;
+    let loads = reads.loads;
+    let options = options.for_reads(reads);
     let models = set_up(&methods, &options)?;
     let sweep = FamilySweep {
         points: &points,
         models: &models,
+        loads,
         share: arguments.partition.unwrap_or(Share::ALL),
         time_limit,
         out: &out,

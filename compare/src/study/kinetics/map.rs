@@ -2,8 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-use scene::RunOptions;
 use scene::nalgebra::Vector3;
+use scene::{LoadSet, RunOptions};
 use serde::{Deserialize, Serialize};
 
 use super::collider::{Begins, Collider, Outgoing};
@@ -326,7 +326,8 @@ impl CollisionSweep<'_> {
         })?;
         if done.is_complete() {
             let share = (self.share, all, done.failed);
-            Manifest::write((self.out, NAME), identity, share, self.models, began)?;
+            let models = (self.models, LoadSet::all(2));
+            Manifest::write((self.out, NAME), identity, share, models, began)?;
         }
         Ok(done)
     }
