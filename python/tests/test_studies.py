@@ -1,5 +1,6 @@
 """Sweeps and studies: the bytes of the command line, shares, interrupts, and what is refused."""
 
+import contextlib
 import inspect
 import os
 import pickle
@@ -30,11 +31,10 @@ def command_line(tmp_path):
     if not _binary().exists():
         pytest.skip(f"{_binary()} is not there: cargo build --release -p squirmers")
 
-    def run(*arguments):
+    def run(*arguments, status=0):
         out = tmp_path / "command-line"
-        done = subprocess.run(
-            [_binary(), *arguments, "--out", out], check=True, capture_output=True, text=True
-        )
+        done = subprocess.run([_binary(), *arguments, "--out", out], capture_output=True, text=True)
+        assert done.returncode == status, done.stderr
         return done.stdout if "--help" in arguments else out
 
     return run
@@ -200,6 +200,25 @@ def test_a_time_limit_leaves_rows_out_and_the_same_call_goes_on(tmp_path, caplog
         squirmers.sensitivity("opposed", {"dx": [1.0]}, "lt", out=tmp_path, time_limit=0)
     with pytest.raises(squirmers.InputError, match="time_limit '3.0' is not allowed: give out too"):
         squirmers.sweep("opposed", axes, "lt", time_limit=3)
+
+
+@pytest.mark.parametrize(
+    ("study", "given", "arguments"),
+    [
+        ("sweep", ["opposed", AXES], ["opposed", *VARY]),
+        ("scatter", [], []),
+        ("fates", [], []),
+        ("kinetics", [], []),
+        ("sensitivity", ["opposed", AXES, "lt"], ["opposed", *VARY, "--method", "lt"]),
+    ],
+)
+def test_what_python_has_begun_the_command_line_goes_on_with(study, given, arguments, command_line, tmp_path):
+    with contextlib.suppress(squirmers.ComputationError):
+        getattr(squirmers, study)(*given, out=tmp_path / "python", time_limit=0)
+    theirs = command_line(study, *arguments, "--time-limit", "0", status=75)
+    # The first line says what is swept and how; the defaults are in it too.
+    kept = f"{study}.csv.part"
+    assert (tmp_path / "python" / kept).read_text() == (theirs / kept).read_text()
 
 
 def test_a_run_that_fails_is_a_row_and_a_reason(tmp_path, caplog):
