@@ -9,6 +9,7 @@ array([-11.698, -11.698])
 """
 
 from ._errors import ComputationError, FileError, InputError, SquirmersError
+from ._fluid import Flow, Stresses, Stresslet, flow, stresses, stresslet
 from ._loads import loads, mobility
 from ._native import Model, Scene, Squirmer, __version__, set_threads
 from ._table import Column, Table
@@ -18,16 +19,22 @@ __all__ = [
     "Column",
     "ComputationError",
     "FileError",
+    "Flow",
     "InputError",
     "Model",
     "Scene",
     "Squirmer",
     "SquirmersError",
+    "Stresses",
+    "Stresslet",
     "Table",
     "Trajectory",
     "__version__",
+    "flow",
     "loads",
     "mobility",
     "run",
     "set_threads",
+    "stresses",
+    "stresslet",
 ]

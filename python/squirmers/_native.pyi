@@ -10,7 +10,7 @@ from os import PathLike
 from typing import Any, Final, SupportsFloat, SupportsIndex, final
 from typing_extensions import disjoint_base
 
-__all__ = ["__version__", "Model", "Run", "Scene", "Squirmer", "coefficients", "loads", "run", "set_threads"]
+__all__ = ["__version__", "Model", "Pair", "Run", "Scene", "Squirmer", "Stresslet", "coefficients", "flow", "loads", "run", "set_threads", "stresses", "stresslet"]
 
 __version__: Final[str]
 """
@@ -53,6 +53,24 @@ class Model:
         """
         Its name, which stands in tables.
         """
+
+@final
+class Pair:
+    """
+    A pair at one instant.
+    """
+    @property
+    def angular_velocities(self, /) -> NDArray[float64]: ...
+    @property
+    def gap(self, /) -> float: ...
+    @property
+    def orientations(self, /) -> NDArray[float64]: ...
+    @property
+    def positions(self, /) -> NDArray[float64]: ...
+    @property
+    def time(self, /) -> float: ...
+    @property
+    def velocities(self, /) -> NDArray[float64]: ...
 
 @final
 class Run:
@@ -310,9 +328,36 @@ class Squirmer:
         Swirl modes ``C_1, C_2, ...`` up to the highest that is not zero, in units of ``V_s``.
         """
 
+@final
+class Stresslet:
+    """
+    Stresslets and power of a pair; `squirmers.Stresslet` shows them.
+    """
+    @property
+    def budget(self, /) -> float: ...
+    @property
+    def dissipation(self, /) -> float: ...
+    @property
+    def efficiencies(self, /) -> NDArray[float64]: ...
+    @property
+    def external_power(self, /) -> float: ...
+    @property
+    def lone(self, /) -> NDArray[float64]: ...
+    @property
+    def pair(self, /) -> Pair: ...
+    @property
+    def slip_power(self, /) -> NDArray[float64]: ...
+    @property
+    def stresslets(self, /) -> NDArray[float64]: ...
+
 def coefficients(model: Model, gaps: ArrayLike, modes: SupportsIndex, swirl_modes: SupportsIndex, ratio: SupportsFloat | SupportsIndex) -> tuple[list[str], NDArray[float64]]:
     """
     Coefficients of motion at gaps, each solved for.
+    """
+
+def flow(scene: Scene, points: ArrayLike, model: Model, time: SupportsFloat | SupportsIndex | None, gap: SupportsFloat | SupportsIndex | None, closest: bool, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[Pair, NDArray[float64], NDArray[float64], float]:
+    """
+    The flow about a pair at some points.
     """
 
 def loads(model: Model, gaps: ArrayLike, modes: SupportsIndex, swirl_modes: SupportsIndex, ratio: SupportsFloat | SupportsIndex, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[list[str], NDArray[float64], NDArray[float64]]:
@@ -328,4 +373,14 @@ def run(scene: Scene, model: Model, *, end_time: SupportsFloat | SupportsIndex |
 def set_threads(threads: SupportsIndex) -> None:
     """
     Sets the number of threads for all further work of this process, once, before any.
+    """
+
+def stresses(model: Model, gaps: ArrayLike, modes: SupportsIndex, swirl_modes: SupportsIndex, ratio: SupportsFloat | SupportsIndex, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[list[str], NDArray[float64], NDArray[float64]]:
+    """
+    Stresslets and rates of work at gaps, each solved for.
+    """
+
+def stresslet(scene: Scene, model: Model, time: SupportsFloat | SupportsIndex | None, gap: SupportsFloat | SupportsIndex | None, closest: bool, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> Stresslet:
+    """
+    Stresslets and power of a pair at an instant.
     """

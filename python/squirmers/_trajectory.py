@@ -207,7 +207,7 @@ def run(
     >>> import squirmers
     >>> scene = squirmers.Scene.of("opposed", beta=5.0, dx=1.0)
     >>> squirmers.run(scene, "exact")
-    <Trajectory by exact: scattered, deflections -11.698 and -11.698 deg, smallest gap 0.04205>
+    <Trajectory by exact: scattered, deflections -11.698 and -11.698 deg, smallest gap 0.01737>
     """
     of = model_of(scene, model)
     native = _native.run(

@@ -31,9 +31,18 @@ pub(crate) fn input(what: &'static str, value: impl ToString, allowed: impl Into
     raised(CompareError::input(what, value, allowed))
 }
 
+/// What an error says. Where the library names an option of the command line, in Python it is an argument.
+fn text_of(error: &CompareError) -> String {
+    let text = error.to_string();
+    match error {
+        CompareError::Input { .. } => text.trim_start_matches("--").to_owned(),
+        _ => text,
+    }
+}
+
 /// The exception for an error.
 pub(crate) fn raised(error: CompareError) -> PyErr {
-    let text = error.to_string();
+    let text = text_of(&error);
     match (&error, error.kind()) {
         (
             CompareError::Write { .. }

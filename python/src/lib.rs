@@ -3,11 +3,14 @@
 mod array;
 mod background;
 mod error;
+mod flow;
+mod instant;
 mod loads;
 mod model;
 mod run;
 mod scene;
 mod squirmer;
+mod stress;
 mod table;
 
 /// `squirmers._native`.
@@ -15,6 +18,10 @@ mod table;
 mod _native {
     #[pymodule_export]
     use crate::background::set_threads;
+    #[pymodule_export]
+    use crate::flow::flow;
+    #[pymodule_export]
+    use crate::instant::Pair;
     #[pymodule_export]
     use crate::loads::{coefficients, loads};
     #[pymodule_export]
@@ -25,6 +32,8 @@ mod _native {
     use crate::scene::Scene;
     #[pymodule_export]
     use crate::squirmer::Squirmer;
+    #[pymodule_export]
+    use crate::stress::{Stresslet, stresses, stresslet};
 
     /// Version of the library.
     #[expect(non_upper_case_globals, reason = "its name in Python")]
