@@ -122,8 +122,7 @@ class Flow(_Instant):
         >>> import squirmers
         >>> grid = np.stack(np.meshgrid(np.linspace(-4, 4, 60), np.linspace(-8, 8, 120)), axis=-1)
         >>> scene = squirmers.Scene.of("opposed", beta=5.0, dx=1.0)
-        >>> squirmers.flow(scene, grid, time="closest").plot()
-        <Axes: ...>
+        >>> ax = squirmers.flow(scene, grid, time="closest").plot()
         """
         from ._plots import streamlines
 

@@ -59,7 +59,9 @@ def paths(trajectory: Trajectory, ax: matplotlib.axes.Axes | None = None) -> mat
     from matplotlib.patches import Patch
 
     ax = _axes(ax, (5.6, 5.6))
-    ax.set_aspect("equal", adjustable="datalim")
+    # Axes that share both of their ranges with others cannot be given more room in one of them.
+    is_shared = all(len(shared.get_siblings(ax)) > 1 for shared in (ax.get_shared_x_axes(), ax.get_shared_y_axes()))
+    ax.set_aspect("equal", adjustable="box" if is_shared else "datalim")
     title = f"{trajectory.model}: {trajectory.outcome}"
     positions, orientations = trajectory.positions, trajectory.orientations
     if len(positions) == 0:
@@ -140,7 +142,7 @@ def streamlines(flow: Flow, ax: matplotlib.axes.Axes | None = None) -> matplotli
     ax.figure.colorbar(image, ax=ax, label="speed [V_s]")
     if speed.count() and speed.max() > 0:
         along = np.ma.masked_invalid(velocity)
-        ax.streamplot(x, y, along[..., 0], along[..., 1], color="white", linewidth=0.7, arrowsize=0.7, density=1.3)
+        ax.streamplot(x, y, along[..., 0], along[..., 1], color="white", linewidth=0.7, arrowsize=0.7, density=1.0)
     for k, colour in enumerate(COLOURS):
         centre = flow.positions[k]
         cut = flow.scene.squirmers[k].radius ** 2 - (centre[2] - z) ** 2

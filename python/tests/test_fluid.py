@@ -201,7 +201,6 @@ def pyplot():
 def test_pictures_of_paths_say_what_is_there(opposed, pyplot):
     def drawn(run):
         ax = run.plot()
-        ax.figure.canvas.draw()
         return ax, [text.get_text() for text in ax.get_legend().get_texts()] if ax.get_legend() else []
 
     ax, names = drawn(squirmers.run(opposed))
@@ -212,8 +211,9 @@ def test_pictures_of_paths_say_what_is_there(opposed, pyplot):
     assert names[:3] == ["squirmer 1", "squirmer 2", "start"]
     ax, names = drawn(squirmers.run(squirmers.Scene.of("opposed", beta=5.0, dx=1.0, dz=1.0)))
     assert "seen along z" in ax.get_title() and names[0].startswith("squirmer 1,\nz from 0.5 to")
-    given = pyplot.figure().add_subplot()
+    _, (given, other) = pyplot.subplots(1, 2, sharex=True, sharey=True)
     assert squirmers.run(opposed).plot(given) is given
+    squirmers.run(opposed, "lt").plot(other).figure.canvas.draw()
 
 
 def test_pictures_of_the_flow_need_a_grid(opposed, pyplot):
@@ -221,14 +221,14 @@ def test_pictures_of_the_flow_need_a_grid(opposed, pyplot):
     for indexing in ("xy", "ij"):
         grid = np.stack(np.meshgrid(x[::-1], y, indexing=indexing), axis=-1)
         ax = squirmers.flow(opposed, grid).plot()
-        ax.figure.canvas.draw()
         mesh = ax.collections[0]
         speed = np.ma.masked_invalid(mesh.get_array()).reshape(29, 13)
         assert speed.mask[np.argmin(abs(y - 5)), np.argmin(abs(x + 0.5))] and not speed.mask[14, 6]
         whole = squirmers.flow(opposed, [x[3], y[8]]).velocity
         assert speed[8, 3] == pytest.approx(np.linalg.norm(whole), rel=1e-12)
     rest = squirmers.Scene(squirmers.Squirmer(modes=[]), [(0, 0), (3, 0)], angles_deg=(0, 0))
-    squirmers.flow(rest, grid).plot().figure.canvas.draw()
+    ax = squirmers.flow(rest, grid).plot()
+    ax.figure.canvas.draw()
     uneven = np.stack(np.meshgrid([0, 1, 3], [0, 1]), axis=-1)
     tilted = np.pad(grid, ((0, 0), (0, 0), (0, 1)))
     tilted[..., 2] = tilted[..., 0]
@@ -239,6 +239,7 @@ def test_pictures_of_the_flow_need_a_grid(opposed, pyplot):
 
 @pytest.fixture
 def sliders(monkeypatch):
+    pytest.importorskip("matplotlib")
     monkeypatch.syspath_prepend(ROOT / "python" / "notebooks")
     import sliders
 
@@ -246,27 +247,27 @@ def sliders(monkeypatch):
     del sys.modules["sliders"]
 
 
-def test_sliders_show_something_wherever_they_are(sliders, pyplot):
-    figure = pyplot.figure(figsize=(10, 5))
+def test_sliders_show_something_wherever_they_are(sliders):
     ends = {"distance": (0, 2, 2.0001, 14), "offset": (-6, 6), "angle1": (-180, 180), "angle2": (-180, 180), "beta1": (-10, 10), "beta2": (-10, 10)}
     for flow_at in ("start", "closest"):
         for name, values in ends.items():
             for value in values:
                 shown = sliders.compute(**{**sliders.START, "offset": 3.0, name: value}, flow_at=flow_at)
                 assert shown.message == "" and list(shown.runs) == list(sliders.MODELS)
-    sliders.draw(shown, figure)
-    figure.canvas.draw()
+    assert sliders.picture(shown).startswith(b"\x89PNG")
     assert all(f"<td>{model}</td>" in sliders.numbers(shown) for model in sliders.MODELS)
     for distance in (0.0, 1.5, 2.0):
         touching = sliders.compute(**{**sliders.START, "distance": distance, "offset": 0.0})
         assert "move them apart" in touching.message and touching.flow is None
         assert touching.message in sliders.numbers(touching)
-        sliders.draw(touching, figure)
-        figure.canvas.draw()
+    assert sliders.picture(touching).startswith(b"\x89PNG")
 
 
 def test_the_panel_of_sliders_follows_them(sliders):
-    ipywidgets = pytest.importorskip("ipywidgets")
-    panel = sliders.panel()
-    assert isinstance(panel, ipywidgets.Widget)
-    assert len(panel.children[0].children) == 7
+    pytest.importorskip("ipywidgets")
+    controls, picture, table = sliders.panel().children
+    distance, *_ = controls.children
+    before = bytes(picture.value)
+    assert before.startswith(b"\x89PNG") and "-11.698" in table.value
+    distance.value = 1.0
+    assert bytes(picture.value) != before and "move them apart" in table.value
