@@ -236,14 +236,12 @@ impl Method {
             }
             Self::Bem => return Ok(Box::new(Bem::of_ratio(options.mesh, ratio)?)),
             Self::Lt | Self::LtCorrected => {
-                "lubrication theory has no stresslet beyond its singular parts; it knows loads, no flow: give --method exact or --method bem"
+                "lubrication theory has no stresslet beyond its singular parts; it knows loads, no flow: give exact or bem"
             }
             Self::Isolated => {
-                "without interaction there is no flow about a pair: give --method exact or --method bem"
+                "without interaction there is no flow about a pair: give exact or bem"
             }
-            Self::Other(_) => {
-                "a model from outside knows loads, no flow: give --method exact or --method bem"
-            }
+            Self::Other(_) => "a model from outside knows loads, no flow: give exact or bem",
         };
         Err(CompareError::input("method", self, reason))
     }

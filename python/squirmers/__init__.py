@@ -9,6 +9,7 @@ array([-11.698, -11.698])
 """
 
 from ._errors import ComputationError, FileError, InputError, SquirmersError
+from ._fluid import Flow, Stresses, Stresslet, flow, stresses, stresslet
 from ._loads import loads, mobility
 from ._native import Model, Scene, Squirmer, __version__, set_threads
 from ._studies import Kinetics, Sensitivity, bound_states, fates, kinetics, merge, scatter, sensitivity, sweep
@@ -19,6 +20,7 @@ __all__ = [
     "Column",
     "ComputationError",
     "FileError",
+    "Flow",
     "InputError",
     "Kinetics",
     "Model",
@@ -26,11 +28,14 @@ __all__ = [
     "Sensitivity",
     "Squirmer",
     "SquirmersError",
+    "Stresses",
+    "Stresslet",
     "Table",
     "Trajectory",
     "__version__",
     "bound_states",
     "fates",
+    "flow",
     "kinetics",
     "loads",
     "merge",
@@ -39,5 +44,7 @@ __all__ = [
     "scatter",
     "sensitivity",
     "set_threads",
+    "stresses",
+    "stresslet",
     "sweep",
 ]

@@ -10,7 +10,7 @@ from os import PathLike
 from typing import Any, Final, SupportsFloat, SupportsIndex, final
 from typing_extensions import disjoint_base
 
-__all__ = ["__version__", "Model", "Run", "Scene", "Squirmer", "bound_states", "coefficients", "family_model", "fates", "kinetics", "loads", "merge", "run", "scatter", "sensitivity", "set_threads", "sweep"]
+__all__ = ["__version__", "Model", "Pair", "Run", "Scene", "Squirmer", "Stresslet", "bound_states", "coefficients", "family_model", "fates", "flow", "kinetics", "loads", "merge", "run", "scatter", "sensitivity", "set_threads", "stresses", "stresslet", "sweep"]
 
 __version__: Final[str]
 """
@@ -53,6 +53,24 @@ class Model:
         """
         Its name, which stands in tables.
         """
+
+@final
+class Pair:
+    """
+    A pair at one instant.
+    """
+    @property
+    def angular_velocities(self, /) -> NDArray[float64]: ...
+    @property
+    def gap(self, /) -> float: ...
+    @property
+    def orientations(self, /) -> NDArray[float64]: ...
+    @property
+    def positions(self, /) -> NDArray[float64]: ...
+    @property
+    def time(self, /) -> float: ...
+    @property
+    def velocities(self, /) -> NDArray[float64]: ...
 
 @final
 class Run:
@@ -310,6 +328,28 @@ class Squirmer:
         Swirl modes ``C_1, C_2, ...`` up to the highest that is not zero, in units of ``V_s``.
         """
 
+@final
+class Stresslet:
+    """
+    Stresslets and power of a pair; `squirmers.Stresslet` shows them.
+    """
+    @property
+    def budget(self, /) -> float: ...
+    @property
+    def dissipation(self, /) -> float: ...
+    @property
+    def efficiencies(self, /) -> NDArray[float64]: ...
+    @property
+    def external_power(self, /) -> float: ...
+    @property
+    def lone(self, /) -> NDArray[float64]: ...
+    @property
+    def pair(self, /) -> Pair: ...
+    @property
+    def slip_power(self, /) -> NDArray[float64]: ...
+    @property
+    def stresslets(self, /) -> NDArray[float64]: ...
+
 def bound_states(models: SupportsGetItem[int, Model], beta: ArrayLike) -> tuple[list[tuple[str, str, str]], list[Any], str]:
     """
     The bound states of every model and squirmer parameter.
@@ -328,6 +368,11 @@ def family_model(name: str | PathLike[str]) -> tuple[str, int | None, bool] | No
 def fates(beta: ArrayLike, models: SupportsGetItem[int, Model], *, g: ArrayLike, grid: SupportsIndex, out: str | PathLike[str] | None, fresh: bool, tolerance: SupportsFloat | SupportsIndex, angles_at: SupportsFloat | SupportsIndex, time_limit: SupportsFloat | SupportsIndex | None, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[list[tuple[str, str, str]], list[Any], str]:
     """
     Maps over the incoming angles: the shares of the outcomes.
+    """
+
+def flow(scene: Scene, points: ArrayLike, model: Model, time: SupportsFloat | SupportsIndex | None, gap: SupportsFloat | SupportsIndex | None, closest: bool, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[Pair, NDArray[float64], NDArray[float64], float]:
+    """
+    The flow about a pair at some points.
     """
 
 def kinetics(beta: ArrayLike, models: SupportsGetItem[int, Model], *, impact: ArrayLike, count: SupportsIndex, replications: SupportsIndex, out: str | PathLike[str] | None, fresh: bool, tolerance: SupportsFloat | SupportsIndex, angles_at: SupportsFloat | SupportsIndex, time_limit: SupportsFloat | SupportsIndex | None, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[tuple[list[tuple[str, str, str]], list[Any], str], tuple[list[tuple[str, str, str]], list[Any], str]]:
@@ -363,6 +408,16 @@ def sensitivity(name: str | PathLike[str] | None, axes_of: SupportsGetItem[int, 
 def set_threads(threads: SupportsIndex) -> None:
     """
     Sets the number of threads for all further work of this process, once, before any.
+    """
+
+def stresses(model: Model, gaps: ArrayLike, modes: SupportsIndex, swirl_modes: SupportsIndex, ratio: SupportsFloat | SupportsIndex, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[list[str], NDArray[float64], NDArray[float64]]:
+    """
+    Stresslets and rates of work at gaps, each solved for.
+    """
+
+def stresslet(scene: Scene, model: Model, time: SupportsFloat | SupportsIndex | None, gap: SupportsFloat | SupportsIndex | None, closest: bool, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> Stresslet:
+    """
+    Stresslets and power of a pair at an instant.
     """
 
 def sweep(name: str | PathLike[str], axes_of: SupportsGetItem[int, tuple[str, ArrayLike]], models: SupportsGetItem[int, Model], *, out: str | PathLike[str] | None, fresh: bool, partition: str | None, tolerance: SupportsFloat | SupportsIndex | None, angles_at: SupportsFloat | SupportsIndex, time_limit: SupportsFloat | SupportsIndex | None, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[list[tuple[str, str, str]], list[Any], str]:

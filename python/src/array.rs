@@ -8,6 +8,9 @@ use pyo3::{type_hint_identifier, type_hint_subscript, type_hint_union};
 
 use crate::error::input;
 
+/// Largest coordinate of a point: its square is finite.
+const FARTHEST: f64 = 1e100;
+
 /// An array of numbers that Python gets.
 pub(crate) struct Array<'py>(Bound<'py, PyAny>);
 
@@ -100,6 +103,28 @@ impl Numbers<'_> {
             return Err(refused());
         }
         self.flat().try_into().map_err(|_| refused())
+    }
+
+    /// Points in space: the last dimension has two coordinates, of which the third is 0, or three.
+    pub(crate) fn points(&self, what: &'static str) -> PyResult<Vec<Vector3<f64>>> {
+        let length = match self.shape().last() {
+            Some(&length @ (2 | 3)) => length,
+            _ => {
+                let allowed = "give an array of the shape (..., 3), or (..., 2) for z = 0";
+                return Err(input(what, self.shape_in_words(), allowed));
+            }
+        };
+        let row = |row: &[f64]| Vector3::from_fn(|i, _| row.get(i).copied().unwrap_or(0.0));
+        let points: Vec<_> = self.flat().chunks(length).map(row).collect();
+        match (points.iter()).position(|point| !point.iter().all(|x| x.abs() <= FARTHEST)) {
+            Some(index) => {
+                let [x, y, z] = points[index].into();
+                let value = format!("[{x:?}, {y:?}, {z:?}] (point {index})");
+                let allowed = format!("give coordinates from -{FARTHEST:e} to {FARTHEST:e}");
+                Err(input(what, value, allowed))
+            }
+            None => Ok(points),
+        }
     }
 
     /// Rows with one of the `allowed` numbers of entries each; what is left out is 0.

@@ -42,7 +42,7 @@ pub(crate) fn impossible(line: &str) -> PyErr {
 }
 
 /// What options of the command line are called in Python.
-const ARGUMENTS: [(&str, &str); 13] = [
+const ARGUMENTS: [(&str, &str); 15] = [
     ("--vary", "axes"),
     ("--method", "models"),
     ("--mesh", "level"),
@@ -56,6 +56,8 @@ const ARGUMENTS: [(&str, &str); 13] = [
     ("--replications", "replications"),
     ("--out", "out"),
     ("--fresh", "fresh"),
+    ("--time", "time"),
+    ("--gap", "gap"),
 ];
 
 /// A message whose options are arguments of Python. Words within quotes stay.

@@ -3,11 +3,14 @@
 mod array;
 mod background;
 mod error;
+mod flow;
+mod instant;
 mod loads;
 mod model;
 mod run;
 mod scene;
 mod squirmer;
+mod stress;
 mod studies;
 mod table;
 
@@ -16,6 +19,10 @@ mod table;
 mod _native {
     #[pymodule_export]
     use crate::background::set_threads;
+    #[pymodule_export]
+    use crate::flow::flow;
+    #[pymodule_export]
+    use crate::instant::Pair;
     #[pymodule_export]
     use crate::loads::{coefficients, loads};
     #[pymodule_export]
@@ -26,6 +33,8 @@ mod _native {
     use crate::scene::Scene;
     #[pymodule_export]
     use crate::squirmer::Squirmer;
+    #[pymodule_export]
+    use crate::stress::{Stresslet, stresses, stresslet};
     #[pymodule_export]
     use crate::studies::bound_states::bound_states;
     #[pymodule_export]

@@ -11,13 +11,13 @@ use crate::error::{input, of_scene, raised};
 use crate::model::Model;
 
 /// Names, and for each gap a row of values and one of error estimates, which are NaN where there is none.
-type ByGap = (Vec<String>, Vec<f64>, Vec<f64>);
+pub(crate) type ByGap = (Vec<String>, Vec<f64>, Vec<f64>);
 
 /// Names, values and error estimates as arrays of a row for each gap.
-type Arrays<'py> = (Vec<String>, Array<'py>, Array<'py>);
+pub(crate) type Arrays<'py> = (Vec<String>, Array<'py>, Array<'py>);
 
 /// Gaps of one dimension, within the range of the model.
-fn checked_gaps(model: &Model, gaps: &Numbers<'_>, ratio: f64) -> PyResult<Vec<Gap>> {
+pub(crate) fn checked_gaps(model: &Model, gaps: &Numbers<'_>, ratio: f64) -> PyResult<Vec<Gap>> {
     let mesh = model.options().mesh;
     let checked = |eps: f64| {
         let gap = Gap::new(eps).map_err(of_scene)?;
@@ -27,7 +27,7 @@ fn checked_gaps(model: &Model, gaps: &Numbers<'_>, ratio: f64) -> PyResult<Vec<G
     gaps.list("gaps")?.into_iter().map(checked).collect()
 }
 
-fn checked_modes(what: &'static str, modes: usize) -> PyResult<usize> {
+pub(crate) fn checked_modes(what: &'static str, modes: usize) -> PyResult<usize> {
     if modes > MAX_MODES {
         let allowed = format!("modes go from 0 (none) to {MAX_MODES}");
         return Err(input(what, modes, allowed));
@@ -35,7 +35,7 @@ fn checked_modes(what: &'static str, modes: usize) -> PyResult<usize> {
     Ok(modes)
 }
 
-fn checked_ratio(ratio: f64) -> PyResult<f64> {
+pub(crate) fn checked_ratio(ratio: f64) -> PyResult<f64> {
     if !RATIOS.contains(&ratio) {
         let allowed = format!("give a number from {} to {}", RATIOS.start(), RATIOS.end());
         return Err(input("ratio", format!("{ratio:?}"), allowed));
@@ -44,7 +44,7 @@ fn checked_ratio(ratio: f64) -> PyResult<f64> {
 }
 
 /// The options of a model that solves at every gap.
-fn direct(model: &Model, set: LoadSet, ratio: f64) -> ModelOptions {
+pub(crate) fn direct(model: &Model, set: LoadSet, ratio: f64) -> ModelOptions {
     ModelOptions {
         direct: true,
         tabulated: set,
@@ -53,7 +53,7 @@ fn direct(model: &Model, set: LoadSet, ratio: f64) -> ModelOptions {
     }
 }
 
-fn arrays<'py>(
+pub(crate) fn arrays<'py>(
     py: Python<'py>,
     (names, values, errors): ByGap,
     gaps: usize,
@@ -62,6 +62,18 @@ fn arrays<'py>(
     let array = |flat: Vec<f64>| Array::shaped(py, flat, shape);
     let (values, errors) = (array(values)?, array(errors)?);
     Ok((names, values, errors))
+}
+
+/// Rows of the same numbers, each with its name and error, at each of some gaps.
+pub(crate) fn by_gap(rows: impl Iterator<Item = (String, f64, String)>, gaps: usize) -> ByGap {
+    let (mut names, mut values, mut errors) = ByGap::default();
+    for (name, value, error) in rows {
+        names.push(name);
+        values.push(value);
+        errors.push(error.parse().unwrap_or(f64::NAN));
+    }
+    names.truncate(names.len().checked_div(gaps).unwrap_or(0));
+    (names, values, errors)
 }
 
 /// Loads at gaps, each solved for.
@@ -85,20 +97,8 @@ pub(crate) fn loads<'py>(
     let count = gaps.len();
     let found = in_background(py, show.as_ref(), move || {
         let rows = load_rows(&[method], &gaps, set, &options)?;
-        let of_gap = if gaps.is_empty() {
-            0
-        } else {
-            rows.len() / gaps.len()
-        };
-        let names = rows.iter().take(of_gap).map(|row| row.name.clone());
-        let errors = rows
-            .iter()
-            .map(|row| row.error_estimate.parse().unwrap_or(f64::NAN));
-        Ok((
-            names.collect(),
-            rows.iter().map(|row| row.value).collect(),
-            errors.collect(),
-        ))
+        let cells = (rows.into_iter()).map(|row| (row.name, row.value, row.error_estimate));
+        Ok(by_gap(cells, count))
     })?;
     arrays(py, found, count)
 }

@@ -12,6 +12,9 @@ use crate::mobility::{
 use crate::stress::Stresses;
 use crate::{Configuration, Gap, Hydrodynamics, LoadSet, Plan, SceneError, Squirmer, legendre};
 
+/// Depth below a surface that may be rounding, relative to the distance from the origin.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// A pair at one instant: where the squirmers are and how each surface moves. Lengths are in radii of the first squirmer, viscosity is 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MovingPair {
@@ -156,12 +159,13 @@ impl MovingPair {
         of(0) + of(1)
     }
 
-    /// The squirmer that a point lies within, if it lies within one.
+    /// The squirmer that a point lies within, if it lies within one. A point that rounding puts below a surface lies on it.
     #[must_use]
     pub fn within(&self, point: &Vector3<f64>) -> Option<usize> {
         let centres = self.configuration.positions();
         let radii = self.configuration.radii;
-        (0..2).find(|&k| (point - centres[k]).norm() < radii[k])
+        let rounding = ROUNDING * (1.0 + point.norm());
+        (0..2).find(|&k| (point - centres[k]).norm() < radii[k] - rounding)
     }
 }
 

@@ -2,12 +2,13 @@
 
 use rayon::prelude::*;
 use scene::nalgebra::Vector3;
-use scene::{Flow, FluidState, MovingPair};
+use scene::{Flow, FluidState, MovingPair, SceneError};
 use serde::Serialize;
 
 use super::{FlowFrame, FlowView, Window};
-use crate::Method;
 use crate::columns::columns;
+use crate::watch::{Pieces, Progress};
+use crate::{CompareError, Method, stoppable};
 
 columns! {
     /// A row for each point of the grid, those of the lowest line first. Within a sphere velocity, speed and pressure are `NaN`.
@@ -87,6 +88,35 @@ pub struct FlowField {
     pub error_estimate: f64,
 }
 
+/// The squirmer that a point lies within, and the flow there, which is NaN in a squirmer.
+fn state_at(flow: &dyn Flow, place: &Vector3<f64>) -> (Option<usize>, FluidState) {
+    let nowhere = FluidState {
+        velocity: Vector3::repeat(f64::NAN),
+        pressure: f64::NAN,
+    };
+    let inside = flow.pair().within(place);
+    (inside, inside.map_or_else(|| flow.at(place), |_| nowhere))
+}
+
+/// Points between two reports of progress.
+const PART: usize = 256;
+
+/// Velocity, in the laboratory frame, and pressure at some points; NaN within a sphere. Every point is computed by itself, in parallel.
+///
+/// # Errors
+/// [`CompareError::Scene`] if work was given up ([`crate::watch::give_up`]).
+pub fn states(flow: &dyn Flow, points: &[Vector3<f64>]) -> Result<Vec<FluidState>, CompareError> {
+    let progress = Progress::begin("flow", points.len().div_ceil(PART), Pieces::Alike);
+    let of_part = |part: &[Vector3<f64>]| {
+        stoppable::check()?;
+        let found: Vec<_> = part.iter().map(|place| state_at(flow, place).1).collect();
+        progress.advance();
+        Ok(found)
+    };
+    let parts: Result<Vec<_>, SceneError> = points.par_chunks(PART).map(of_part).collect();
+    Ok(parts?.concat())
+}
+
 impl FlowField {
     /// Samples a flow in parallel; every point is computed by itself, so that its bits depend on no other.
     pub(super) fn sample(
@@ -99,18 +129,13 @@ impl FlowField {
         let side = view.grid;
         let pair = *flow.pair();
         let moving = view.frame.velocity(&pair);
-        let nowhere = FluidState {
-            velocity: Vector3::repeat(f64::NAN),
-            pressure: f64::NAN,
-        };
         let share = |index: usize| (index as f64 + 0.5) / side as f64;
         let points = (0..side * side)
             .into_par_iter()
             .map(|index| {
                 let at = window.at((share(index % side), share(index / side)));
                 let place = window.section.point(at);
-                let inside = pair.within(&place);
-                let mut state = inside.map_or_else(|| flow.at(&place), |_| nowhere);
+                let (inside, mut state) = state_at(flow, &place);
                 state.velocity -= moving;
                 FlowPoint {
                     place,

@@ -15,7 +15,7 @@ use std::fmt;
 use scene::nalgebra::Vector3;
 use scene::{Flow, Fluid, MovingPair, Plan, Run, RunOptions, Sample};
 
-pub use field::{FlowField, FlowPoint, FlowRow};
+pub use field::{FlowField, FlowPoint, FlowRow, states};
 pub use frames::{PART, each_frame, frame_name};
 pub use instant::Instant;
 pub use section::{Section, Window};
@@ -137,13 +137,26 @@ impl FlowStudy {
         let plan = Plan::new(&file.scene)?;
         let options = file.model_options(&plan, options);
         let fluid = file.method.fluid(&options, file.scene.ratio())?;
-        Ok(Self {
-            method: file.method,
+        let model = Model::set_up(file.method, &options)?;
+        Ok(Self::of(model, fluid, plan, file.run))
+    }
+
+    /// Of a model that is set up to run a plan, as `run` says, and the same model as one that knows the flow.
+    #[must_use]
+    pub fn of(model: Model, fluid: Box<dyn Fluid>, plan: Plan, run: RunOptions) -> Self {
+        Self {
+            method: model.method(),
             fluid,
-            model: Model::set_up(file.method, &options)?,
+            model,
             plan,
-            run: file.run,
-        })
+            run,
+        }
+    }
+
+    /// The model of the flow.
+    #[must_use]
+    pub fn into_fluid(self) -> Box<dyn Fluid> {
+        self.fluid
     }
 
     /// The method.

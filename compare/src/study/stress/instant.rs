@@ -2,7 +2,7 @@
 
 use scene::nalgebra::Matrix3;
 use scene::stress::{PairStress, StressTable, drag_power, lone_power, lone_stresslet};
-use scene::{Hydrodynamics, MovingPair, Plan, Sample};
+use scene::{Fluid, Hydrodynamics, MovingPair, Plan, Sample};
 
 use crate::CompareError;
 
@@ -10,9 +10,12 @@ use crate::CompareError;
 pub(super) const COMPONENTS: [(usize, usize); 5] = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2)];
 
 /// An instant of a run.
-pub(super) struct Instant {
+pub struct Instant {
+    /// Time from the start.
     pub t: f64,
+    /// The pair as it moves.
     pub pair: MovingPair,
+    /// Stresslets and power.
     pub stress: PairStress,
     /// Stresslets of lone squirmers with these orientations.
     pub lone: [Matrix3<f64>; 2],
@@ -27,12 +30,30 @@ impl Instant {
         sample: &Sample,
     ) -> Result<Self, CompareError> {
         let pair = MovingPair::free(plan, model, &sample.configuration)?;
-        Ok(Self {
-            t: sample.t,
-            stress: table.at(sample.configuration.gap)?.of(&pair),
+        let stress = table.at(sample.configuration.gap)?.of(&pair);
+        Ok(Self::of(sample.t, pair, stress))
+    }
+
+    /// A pair that moves as it does at the time `t`, its stresslets and power solved for.
+    ///
+    /// # Errors
+    /// As [`Fluid::stresses`].
+    pub fn solved(fluid: &dyn Fluid, t: f64, pair: MovingPair) -> Result<Self, CompareError> {
+        let modes = pair.squirmers.iter().map(|s| s.modes().len()).max();
+        let swirl = pair.squirmers.iter().map(|s| s.swirl().len()).max();
+        let gap = pair.configuration.gap;
+        let stresses = fluid.stresses(gap, modes.unwrap_or(0), swirl.unwrap_or(0))?;
+        let stress = stresses.of(&pair);
+        Ok(Self::of(t, pair, stress))
+    }
+
+    fn of(t: f64, pair: MovingPair, stress: PairStress) -> Self {
+        Self {
+            t,
             lone: [0, 1].map(|k| lone_stresslet(&pair, k)),
             pair,
-        })
+            stress,
+        }
     }
 
     pub(super) fn gap(&self) -> f64 {
@@ -73,13 +94,15 @@ impl Instant {
     }
 
     /// Lighthill's efficiency of each squirmer; NaN where its slip does no work.
-    pub(super) fn efficiencies(&self) -> [f64; 2] {
+    #[must_use]
+    pub fn efficiencies(&self) -> [f64; 2] {
         let drag = self.drag_power();
         [0, 1].map(|k| efficiency(drag[k], self.stress.slip_power[k]))
     }
 
     /// How far the dissipation is from the work of slip, repulsion and gravity, relative to it.
-    pub(super) fn budget(&self) -> f64 {
+    #[must_use]
+    pub fn budget(&self) -> f64 {
         let work = self.slip_power() + self.pair.external_power();
         (self.stress.dissipation - work).abs() / self.stress.dissipation
     }

@@ -15,6 +15,7 @@ mod run;
 pub use contact::{ContactLaw, Growth, contact_laws};
 pub use encounters::{StressEncounterRow, stress_encounters};
 pub use gaps::{StressRow, stress_rows};
+pub use instant::Instant;
 pub use run::{StressRun, StressRunRow, StressSummary, stress_run};
 
 use bem::Bem;
