@@ -1,17 +1,14 @@
 """Flow and stresslets: against the surfaces, the equations of the fluid, closed forms and the command line."""
 
 import csv
-import os
 import pickle
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 import squirmers
 
-ROOT = Path(__file__).parents[2]
 
 
 @pytest.fixture
@@ -135,12 +132,9 @@ def test_points_have_any_shape_and_none_has_a_flow_inside(opposed):
     assert np.array_equal(again.velocity, of.velocity, equal_nan=True) and again.scene == opposed
 
 
-def test_the_command_line_writes_the_same_flow(opposed, tmp_path):
-    binary = os.environ.get("SQUIRMERS_BINARY", ROOT / "target" / "release" / "squirmers")
-    if not Path(binary).exists():
-        pytest.skip("the command line is not built: cargo build --release, or name it in SQUIRMERS_BINARY")
-    scene = ROOT / "fixtures" / "scenes" / "fig6-head-on-dx1.toml"
-    command = [binary, "flow", scene, "--method", "exact", "--grid", "20", "--out", tmp_path]
+def test_the_command_line_writes_the_same_flow(opposed, program, project, tmp_path):
+    scene = project / "fixtures" / "scenes" / "fig6-head-on-dx1.toml"
+    command = [program, "flow", scene, "--method", "exact", "--grid", "20", "--out", tmp_path]
     subprocess.run(command, check=True, capture_output=True)
     with open(tmp_path / "flow.csv", newline="") as file:
         rows = list(csv.DictReader(file))
@@ -238,9 +232,9 @@ def test_pictures_of_the_flow_need_a_grid(opposed, pyplot):
 
 
 @pytest.fixture
-def sliders(monkeypatch):
+def sliders(monkeypatch, project):
     pytest.importorskip("matplotlib")
-    monkeypatch.syspath_prepend(ROOT / "docs" / "notebooks")
+    monkeypatch.syspath_prepend(project / "docs" / "notebooks")
     import sliders
 
     yield sliders

@@ -20,20 +20,13 @@ AXES = {"beta": [-5.0, 0.0, 5.0], "dx": [0.5, 1.0, 2.0, 3.0]}
 VARY = ["--vary", "beta=-5,0,5", "--vary", "dx=0.5,1,2,3"]
 
 
-def _binary():
-    target = os.environ.get("CARGO_TARGET_DIR", Path(__file__).parents[2] / "target")
-    return Path(target) / "release" / "squirmers"
-
-
 @pytest.fixture
-def command_line(tmp_path):
+def command_line(program, tmp_path):
     """Runs the command line and returns the folder of its results, or else what it prints."""
-    if not _binary().exists():
-        pytest.skip(f"{_binary()} is not there: cargo build --release -p squirmers")
 
     def run(*arguments, status=0):
         out = tmp_path / "command-line"
-        done = subprocess.run([_binary(), *arguments, "--out", out], capture_output=True, text=True)
+        done = subprocess.run([program, *arguments, "--out", out], capture_output=True, text=True)
         assert done.returncode == status, done.stderr
         return done.stdout if "--help" in arguments else out
 
