@@ -9,8 +9,10 @@ array([-11.698, -11.698])
 """
 
 from ._errors import ComputationError, FileError, InputError, SquirmersError
+from ._judge import Scorecard, judge, leaderboard
 from ._loads import loads, mobility
 from ._native import Model, Scene, Squirmer, __version__, set_threads
+from ._reference import Reference, reference
 from ._table import Column, Table
 from ._trajectory import Trajectory, run
 
@@ -20,14 +22,19 @@ __all__ = [
     "FileError",
     "InputError",
     "Model",
+    "Reference",
     "Scene",
+    "Scorecard",
     "Squirmer",
     "SquirmersError",
     "Table",
     "Trajectory",
     "__version__",
+    "judge",
+    "leaderboard",
     "loads",
     "mobility",
+    "reference",
     "run",
     "set_threads",
 ]

@@ -3,8 +3,10 @@
 mod array;
 mod background;
 mod error;
+mod judge;
 mod loads;
 mod model;
+mod outside;
 mod run;
 mod scene;
 mod squirmer;
@@ -15,6 +17,8 @@ mod table;
 mod _native {
     #[pymodule_export]
     use crate::background::set_threads;
+    #[pymodule_export]
+    use crate::judge::{judge, leaderboard, reference_files};
     #[pymodule_export]
     use crate::loads::{coefficients, loads};
     #[pymodule_export]
