@@ -10,6 +10,7 @@ sphere is put to 0, for irreducibleTensors(2, 0) is not.
 
 from __future__ import annotations
 
+import importlib
 import math
 from typing import Any
 
@@ -19,15 +20,14 @@ import squirmers
 
 Floats = npt.NDArray[np.float64]
 
-HEADER = {
-    "model": "PyStokes",
-    "version": "2.3.2",
-    "citation": "R. Singh & R. Adhikari, J. Open Source Softw. 5 (2020) 2318, doi 10.21105/joss.02318",
-}
-
 # Rows by PyStokes' order: x of both spheres, then y, then z.
 ORDER = [0, 2, 4, 1, 3, 5]
 ORIENTATIONS = {"z": (0.0, 0.0, 1.0), "x": (1.0, 0.0, 0.0), "xz": (math.sqrt(0.5), 0.0, math.sqrt(0.5))}
+
+
+def _pystokes() -> Any:
+    """The library, which has no types."""
+    return importlib.import_module("pystokes")
 
 
 def _by_load(rbm: Any, place: Floats, load: int) -> Floats:
@@ -45,15 +45,13 @@ def _by_load(rbm: Any, place: Floats, load: int) -> Floats:
 
 def _by_slip(rbm: Any, place: Floats, mode: int, sphere: int, p: tuple[float, float, float]) -> Floats:
     """Velocities and spins by the unit slip mode of a sphere (1 or 2) with the orientation p, both spheres free."""
-    import pystokes
-
     velocity, spin, both = np.zeros(6), np.zeros(6), np.zeros(6)
     both[sphere - 1 :: 2] = p
     if mode == 1:
         velocity += 2.0 / 3.0 * both
         rbm.propulsionT3t(velocity, place, 5.0 / 3.0 * both)
     else:
-        slip = 3.0 / 7.0 * pystokes.utils.irreducibleTensors(2, both)
+        slip = 3.0 / 7.0 * _pystokes().utils.irreducibleTensors(2, both)
         slip[2 - sphere :: 2] = 0.0
         rbm.propulsionT2s(velocity, place, slip)
         rbm.propulsionR2s(spin, place, slip)
@@ -73,9 +71,7 @@ def mobility(gaps: Floats) -> dict[str, Floats]:
     dict of ndarray
         ``"matrix"``, shape (n, 12, 12), and slip columns such as ``"B1_1z"``, shape (n, 12).
     """
-    import pystokes
-
-    rbm = pystokes.unbounded.Rbm(radius=1, particles=2, viscosity=1.0)
+    rbm = _pystokes().unbounded.Rbm(radius=1, particles=2, viscosity=1.0)
     slips = [(mode, sphere, axis) for mode in (1, 2) for sphere in (1, 2) for axis in ORIENTATIONS]
     said = {"matrix": np.empty((len(gaps), 12, 12))}
     said |= {f"B{mode}_{sphere}{axis}": np.empty((len(gaps), 12)) for mode, sphere, axis in slips}
@@ -102,4 +98,13 @@ def model(name: str = "pystokes") -> squirmers.Model:
         The model.
     """
     # PyStokes has its own pi with 12 digits, hence values 7e-14 off.
-    return squirmers.Model.from_callable(mobility, name=name, range=(1e-3, 1e4), matrix="mobility", noise=1e-8, **HEADER)
+    return squirmers.Model.from_callable(
+        mobility,
+        name=name,
+        range=(1e-3, 1e4),
+        matrix="mobility",
+        noise=1e-8,
+        model="PyStokes",
+        version="2.3.2",
+        citation="R. Singh & R. Adhikari, J. Open Source Softw. 5 (2020) 2318, doi 10.21105/joss.02318",
+    )

@@ -80,16 +80,19 @@ class Scorecard:
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
-        found = "no fault found" if self.faultless else f"{len(self.faults)} faults"
-        if not self.faultless and not self.faults:
-            found = "a law is broken"
-        return f"<Scorecard of {self.model}: {found}>\n" + "\n".join(self.verdict)
+        return f"<Scorecard of {self.model}: {self._found()}>\n" + "\n".join(self.verdict)
+
+    def _found(self) -> str:
+        if self.faultless:
+            return "no fault found"
+        if not self.faults:
+            return "a law is broken"
+        return "1 fault" if len(self.faults) == 1 else f"{len(self.faults)} faults"
 
     def _repr_html_(self) -> str:
         from html import escape
 
         colour = "#2b8a3e" if self.faultless else "#c92a2a"
-        found = "no fault found" if self.faultless else "faults found"
         trusted = "".join(
             f"<tr><th style='text-align:left'>within {bound} %</th><td style='text-align:left'>"
             + ("nowhere" if gap is None else f"down to a gap of {gap:.4g}")
@@ -100,7 +103,7 @@ class Scorecard:
         # Colours of text and ground are the notebook's own; the bar is readable on both.
         return (
             f"<div style='border-left:4px solid {colour};padding:0 0 0 1em;max-width:60em'>"
-            f"<p><b>{escape(self.model)}</b>: {found}</p><table>{trusted}</table><ul>{sentences}</ul></div>"
+            f"<p><b>{escape(self.model)}</b>: {self._found()}</p><table>{trusted}</table><ul>{sentences}</ul></div>"
         )
 
     def plot(self, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:

@@ -257,8 +257,8 @@ impl Model {
     /// >>> def far_field(gaps):
     /// ...     return {"x11a": 1.0, "x12a": 1.5 / (gaps + 2)}
     /// >>> model = squirmers.Model.from_callable(far_field, name="far", range=(1e-3, 1e4))
-    /// >>> squirmers.judge(model).trusted_down_to[1]
-    /// 1.0
+    /// >>> squirmers.judge(model).trusted_down_to
+    /// {1: 4.0, 5: 1.0, 20: 0.5}
     #[staticmethod]
     #[pyo3(signature = (f, *, name="model", range, matrix=None, noise=None, model=None, version=None, citation=None, call=None, radius=1.0, viscosity=1.0, mode_units=None, slip_calibration=None))]
     #[expect(clippy::too_many_arguments, reason = "they have names in Python")]
