@@ -100,8 +100,8 @@ class Model:
         >>> def far_field(gaps):
         ...     return {"x11a": 1.0, "x12a": 1.5 / (gaps + 2)}
         >>> model = squirmers.Model.from_callable(far_field, name="far", range=(1e-3, 1e4))
-        >>> squirmers.judge(model).trusted_down_to[1]
-        1.0
+        >>> squirmers.judge(model).trusted_down_to
+        {1: 4.0, 5: 1.0, 20: 0.5}
         """
     @staticmethod
     def from_file(path: str | PathLike[str], *, name: str | None = None) -> Model:
