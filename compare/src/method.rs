@@ -112,7 +112,8 @@ impl Method {
     }
 
     /// As [`Self::register`]; the name may be that of an earlier model from outside, which is named no longer. Whoever holds its method can go on with it. A
-    /// model that `is_dear` takes so long for each gap that it is tabulated before it moves pairs.
+    /// model that `is_dear` takes so long for each gap that it is tabulated before it moves pairs, by one thread, which says what it is about to ask for
+    /// ([`Hydrodynamics::foresee`]).
     ///
     /// # Errors
     /// [`CompareError::Input`] for a name of this workspace's models, and for one that is not allowed.

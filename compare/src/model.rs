@@ -7,6 +7,7 @@ use std::time::Instant;
 use bem::Bem;
 use exact::Exact;
 use lt::{Form, Lubrication, UnlikeLubrication};
+use rayon::ThreadPoolBuilder;
 use scene::{
     Configuration, Gap, Hydrodynamics, Isolated, LoadSet, Plan, PlanRow, Rates, Run, RunOptions,
     Sample, Scene, SceneError, TableOptions, TableSummary, Tabulated, are_unlike, rates,
@@ -15,6 +16,7 @@ use scene::{
 
 use crate::scene_file::Hydrodynamics as InFiles;
 use crate::stoppable::{self, Stoppable};
+use crate::submission::is_raised;
 use crate::watch::{Pieces, Progress};
 use crate::{CompareError, Method, ModelOptions, NoRun};
 
@@ -280,7 +282,14 @@ impl Kind {
             Method::Other(other) => {
                 let model = other.hydrodynamics();
                 check_loads(model, options.tabulated).map_err(|reason| {
-                    CompareError::input("--method", method, reason.to_string())
+                    if is_raised(&reason) {
+                        return reason.into();
+                    }
+                    let allowed = match reason {
+                        SceneError::Model { source, .. } => source.to_string(),
+                        other => other.to_string(),
+                    };
+                    CompareError::input("--method", method, allowed)
                 })?;
                 match other.dear() {
                     Some(model) if !options.direct => {
@@ -290,8 +299,15 @@ impl Kind {
                             cache: None,
                             ..options.clone()
                         };
-                        let table = tabulate(model, method, OTHER_TABLE_TOLERANCE, &options)?;
-                        Ok(Self::Table(Arc::new(table)))
+                        // Whoever is asked may compute with this library, and answers one question after the other: no thread of the common pool
+                        // waits for it.
+                        let pool = ThreadPoolBuilder::new().num_threads(1).build();
+                        let table = || tabulate(model, method, OTHER_TABLE_TOLERANCE, &options);
+                        let table = match pool {
+                            Ok(pool) => pool.install(table),
+                            Err(_) => table(),
+                        };
+                        Ok(Self::Table(Arc::new(table?)))
                     }
                     _ => Ok(Self::Other(model)),
                 }

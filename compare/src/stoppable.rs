@@ -52,6 +52,11 @@ impl Hydrodynamics for Stoppable {
         self.0.interacting_loads_with_swirl(gap, set)
     }
 
+    fn foresee(&self, gaps: &[Gap]) -> Result<(), SceneError> {
+        check()?;
+        self.0.foresee(gaps)
+    }
+
     fn interacting_loads_of_each(
         &self,
         gap: Gap,

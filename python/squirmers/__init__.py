@@ -10,8 +10,10 @@ array([-11.698, -11.698])
 
 from ._errors import ComputationError, FileError, InputError, SquirmersError
 from ._fluid import Flow, Stresses, Stresslet, flow, stresses, stresslet
+from ._judge import Scorecard, judge, leaderboard
 from ._loads import loads, mobility
 from ._native import Model, Scene, Squirmer, __version__, set_threads
+from ._reference import Reference, reference
 from ._studies import Kinetics, Sensitivity, bound_states, fates, kinetics, merge, scatter, sensitivity, sweep
 from ._table import Column, Table
 from ._trajectory import Trajectory, run
@@ -24,7 +26,9 @@ __all__ = [
     "InputError",
     "Kinetics",
     "Model",
+    "Reference",
     "Scene",
+    "Scorecard",
     "Sensitivity",
     "Squirmer",
     "SquirmersError",
@@ -36,10 +40,13 @@ __all__ = [
     "bound_states",
     "fates",
     "flow",
+    "judge",
     "kinetics",
+    "leaderboard",
     "loads",
     "merge",
     "mobility",
+    "reference",
     "run",
     "scatter",
     "sensitivity",

@@ -10,7 +10,7 @@ from os import PathLike
 from typing import Any, Final, SupportsFloat, SupportsIndex, final
 from typing_extensions import disjoint_base
 
-__all__ = ["__version__", "Model", "Pair", "Run", "Scene", "Squirmer", "Stresslet", "bound_states", "coefficients", "family_model", "fates", "flow", "kinetics", "loads", "merge", "run", "scatter", "sensitivity", "set_threads", "stresses", "stresslet", "sweep"]
+__all__ = ["__version__", "Model", "Pair", "Run", "Scene", "Squirmer", "Stresslet", "bound_states", "coefficients", "family_model", "fates", "flow", "judge", "kinetics", "leaderboard", "loads", "merge", "reference_files", "run", "scatter", "sensitivity", "set_threads", "stresses", "stresslet", "sweep"]
 
 __version__: Final[str]
 """
@@ -48,6 +48,130 @@ class Model:
     """
     def __new__(cls, /, name: str, *, level: SupportsIndex | None = None, direct: bool = False, cache: str | PathLike[str] | None = None) -> Model: ...
     def __repr__(self, /) -> str: ...
+    @staticmethod
+    def from_callable(f: Callable[[NDArray[float64]], object], *, name: str = "model", range: tuple[SupportsFloat | SupportsIndex, SupportsFloat | SupportsIndex], matrix: str | None = None, noise: SupportsFloat | SupportsIndex | None = None, model: str | None = None, version: str | None = None, citation: str | None = None, call: str | None = None, radius: SupportsFloat | SupportsIndex = 1.0, viscosity: SupportsFloat | SupportsIndex = 1.0, mode_units: ArrayLike | None = None, slip_calibration: ArrayLike | None = None) -> Model:
+        """
+        A model that asks a function for its numbers.
+
+        The function gets an array of gaps, shape (n,), and returns named quantities of docs/JUDGE.md at these gaps: a mapping, table or structured array
+        of arrays of the shape (n,). With `matrix` it returns mobility or resistance matrices, shape (n, 12, 12), or a mapping with them under
+        ``"matrix"`` and slip columns such as ``"B1_1z"`` beside them, shape (n, 12). NaN says that there is no answer at a gap: judging leaves that gap out, a
+        table for the motion needs all. It is called few times, each time for many gaps, and once for a gap; always by one thread at a time for a table,
+        not by the main one. What it raises comes out as it is. It may call this package, but not for its own model.
+
+        Before the model moves pairs its answers are put into a table, down to `noise`.
+
+        Parameters
+        ----------
+        f : callable
+            The function.
+        name : str, default "model"
+            Name of the model in tables. One of the same name that was made before keeps its own function, where it is still in use.
+        range : tuple of float
+            Smallest and largest gap for which it answers, in the unit of `radius`. Pairs that part are followed to a gap of 10.
+        matrix : {"mobility", "resistance"}, optional
+            What the matrices are. Without it the function returns named quantities.
+        noise : float, default 1e-9
+            Size of the noise of its numbers, relative to the larger of the number and 1.
+        model, version, citation, call : str, optional
+            Name of the code, its version, where it is published, how it is called.
+        radius, viscosity : float, default 1
+            Units of the gaps and matrices.
+        mode_units : array_like, shape (m,), optional
+            How many ``B_n`` one unit of each slip mode is.
+        slip_calibration : array_like, shape (m,), optional
+            Factors for what each slip mode causes.
+
+        Returns
+        -------
+        Model
+            The model.
+
+        Raises
+        ------
+        InputError
+            If an argument is not allowed. What the function returns is looked at when it is first asked.
+
+        Examples
+        --------
+        Two spheres that feel each other's far field along the line of centres:
+
+        >>> import squirmers
+        >>> def far_field(gaps):
+        ...     return {"x11a": 1.0, "x12a": 1.5 / (gaps + 2)}
+        >>> model = squirmers.Model.from_callable(far_field, name="far", range=(1e-3, 1e4))
+        >>> squirmers.judge(model).trusted_down_to
+        {1: 4.0, 5: 1.0, 20: 0.5}
+        """
+    @staticmethod
+    def from_file(path: str | PathLike[str], *, name: str | None = None) -> Model:
+        """
+        A model of a file of named values or matrices, as docs/JUDGE.md has it.
+
+        Parameters
+        ----------
+        path : path
+            The CSV file, with its header.
+        name : str, optional
+            Name of the model in tables; by default that of the file, without its ending.
+
+        Returns
+        -------
+        Model
+            The model.
+
+        Raises
+        ------
+        FileError
+            If the file cannot be read.
+        InputError
+            The first mistake in it, or a name that is not allowed.
+        """
+    @staticmethod
+    def from_table(table: Any, *, name: str = "model", matrix: str | None = None, interpolation: str | None = None, model: str | None = None, version: str | None = None, citation: str | None = None, call: str | None = None, machine: str | None = None, radius: SupportsFloat | SupportsIndex = 1.0, viscosity: SupportsFloat | SupportsIndex = 1.0, mode_units: ArrayLike | None = None, slip_calibration: ArrayLike | None = None, seconds_per_gap: SupportsFloat | SupportsIndex | None = None) -> Model:
+        """
+        A model of numbers at some gaps, as a file holds them.
+
+        Parameters
+        ----------
+        table : mapping, pandas.DataFrame, structured array or Table
+            A column ``gap``, shape (n,), and a column for each named quantity of docs/JUDGE.md, shape (n,); NaN where it is not known. With `matrix` the
+            column ``matrix``, shape (n, 12, 12), and perhaps slip columns such as ``B1_1z``, shape (n, 12).
+        name : str, default "model"
+            Name of the model in tables.
+        matrix : {"mobility", "resistance"}, optional
+            What the matrices are.
+        interpolation : {"linear", "log-linear", "log-cubic", "none"}, optional
+            How the model's own code reads values between the gaps. If it is left out, judging scores nothing between them, and motion reads cubics
+            in the logarithm of the gap.
+        model, version, citation, call, machine : str, optional
+            Name of the code, its version, where it is published, how it was called, on what machine.
+        radius, viscosity : float, default 1
+            Units of the gaps and matrices.
+        mode_units : array_like, shape (m,), optional
+            How many ``B_n`` one unit of each slip mode is.
+        slip_calibration : array_like, shape (m,), optional
+            Factors for what each slip mode causes.
+        seconds_per_gap : float, optional
+            Time of one gap, in seconds.
+
+        Returns
+        -------
+        Model
+            The model. One of too few gaps can be judged, and moves no pair.
+
+        Raises
+        ------
+        InputError
+            If an argument or a number in the table is not allowed.
+
+        Examples
+        --------
+        >>> import squirmers
+        >>> far = {"gap": [0.1, 1.0, 38.0], "x11a": [1.0, 1.0, 1.0], "x12a": [0.7143, 0.5, 0.0375]}
+        >>> squirmers.Model.from_table(far, name="far")
+        <Model far>
+        """
     @property
     def name(self, /) -> str:
         """
@@ -375,9 +499,19 @@ def flow(scene: Scene, points: ArrayLike, model: Model, time: SupportsFloat | Su
     The flow about a pair at some points.
     """
 
+def judge(model: Model, exact: Model, grid: SupportsIndex, gaps: ArrayLike | None, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[str, tuple[list[tuple[str, str, str]], list[Any], str], list[tuple[str, float, float, bool]]]:
+    """
+    Judges a model; `exact` is the model that its collisions are compared with. The scorecard as JSON, its rows, and its errors by group.
+    """
+
 def kinetics(beta: ArrayLike, models: SupportsGetItem[int, Model], *, impact: ArrayLike, count: SupportsIndex, replications: SupportsIndex, out: str | PathLike[str] | None, fresh: bool, tolerance: SupportsFloat | SupportsIndex, angles_at: SupportsFloat | SupportsIndex, time_limit: SupportsFloat | SupportsIndex | None, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[tuple[list[tuple[str, str, str]], list[Any], str], tuple[list[tuple[str, str, str]], list[Any], str]]:
     """
     Collision integrals, and what each model makes of those of the exact one.
+    """
+
+def leaderboard(show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[list[tuple[str, str, str]], list[Any], str]:
+    """
+    The leaderboard: public codes and the models of this library, by rising score.
     """
 
 def loads(model: Model, gaps: ArrayLike, modes: SupportsIndex, swirl_modes: SupportsIndex, ratio: SupportsFloat | SupportsIndex, show: Callable[[list[tuple[int, str, int, int | None]]], None] | None) -> tuple[list[str], NDArray[float64], NDArray[float64]]:
@@ -388,6 +522,11 @@ def loads(model: Model, gaps: ArrayLike, modes: SupportsIndex, swirl_modes: Supp
 def merge(folders: SupportsGetItem[int, str | PathLike[str]], out: str | PathLike[str] | None) -> tuple[tuple[list[tuple[str, str, str]], list[Any], str], str, int]:
     """
     Merges the shares of a sweep. Also names the file of the rows, and says how many kinds of arithmetic they come from.
+    """
+
+def reference_files() -> list[tuple[str, str]]:
+    """
+    The files of the package of reference numbers, by name.
     """
 
 def run(scene: Scene, model: Model, *, end_time: SupportsFloat | SupportsIndex | None = None, tolerance: SupportsFloat | SupportsIndex | None = None, departure_distance: SupportsFloat | SupportsIndex | None = None, angles_at: SupportsFloat | SupportsIndex | None = None, sample_interval: SupportsFloat | SupportsIndex | None = None, samples: bool = True, max_steps: SupportsIndex | None = None) -> Run:

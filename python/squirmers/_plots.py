@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     import numpy.typing as npt
 
     from ._fluid import Flow
+    from ._judge import Scorecard
     from ._trajectory import Trajectory
 
 COLOURS = ("#0072b2", "#d55e00")
@@ -153,4 +154,39 @@ def streamlines(flow: Flow, ax: matplotlib.axes.Axes | None = None) -> matplotli
     dx, dy = (x[1] - x[0]) / 2, (y[1] - y[0]) / 2
     ax.set_xlim(x[0] - dx, x[-1] + dx)
     ax.set_ylim(y[0] - dy, y[-1] + dy)
+    return ax
+
+
+GROUPS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00")
+MARKS = "osD^v"
+
+
+def errors(card: Scorecard, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
+    """The errors of a scorecard against the gap; see `Scorecard.plot`."""
+    import numpy as np
+
+    if ax is None:
+        from matplotlib import pyplot
+
+        _, ax = pyplot.subplots()
+    table = card.errors
+    groups = list(dict.fromkeys(table["group"].tolist()))
+    # An error that is exactly 0 has no place on the axis.
+    least = 1e-16
+    for k, group in enumerate(groups):
+        mine = table["group"] == group
+        gap, size, between = (table[name][mine] for name in ("gap", "error", "between"))
+        size = np.maximum(size, least)
+        colour = GROUPS[k % len(GROUPS)]
+        ax.plot(gap, size, "-", color=colour, lw=1)
+        ax.plot(gap[~between], size[~between], MARKS[k % len(MARKS)], color=colour, ms=4, label=group)
+    for bound in (0.01, 0.05, 0.2):
+        ax.axhline(bound, color="0.6", lw=0.8, ls=":")
+        ax.annotate(f"{100 * bound:g} %", (1, bound), xycoords=("axes fraction", "data"), ha="right", va="bottom", color="0.4", fontsize="small")
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    ax.set_xlabel("gap [a]")
+    ax.set_ylabel("largest error")
+    ax.set_title(card.model)
+    ax.legend(fontsize="small", frameon=False)
     return ax

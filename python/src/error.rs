@@ -1,6 +1,10 @@
 //! Errors of the library as Python exceptions with the same text.
 
+use std::error::Error;
+use std::iter::successors;
+
 use ::scene::SceneError;
+use compare::submission::SubmissionError;
 use compare::{CompareError, FailureKind, Mistakes};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -73,9 +77,27 @@ fn in_python(text: &str) -> String {
     words.join(" ")
 }
 
-/// The exception for an error.
+/// The exception for an error. What a function of Python raised is raised as it is.
 pub(crate) fn raised(error: CompareError) -> PyErr {
-    let text = in_python(&error.to_string());
+    let outermost: &(dyn Error + 'static) = &error;
+    let causes = successors(Some(outermost), |&error| error.source());
+    let mut own = causes.filter_map(|cause| cause.downcast_ref::<PyErr>());
+    if let Some(own) = own.next() {
+        return Python::attach(|py| own.clone_ref(py));
+    }
+    let text = match &error {
+        // Of a model that was given as an argument.
+        CompareError::Input {
+            what: "--method" | "judge",
+            value,
+            allowed,
+        } => format!("model '{value}' is not allowed: {}", in_python(allowed)),
+        // It names the model itself.
+        CompareError::Scene(SceneError::Model { source, .. }) if source.is::<SubmissionError>() => {
+            source.to_string()
+        }
+        error => in_python(&error.to_string()),
+    };
     match (&error, error.kind()) {
         (
             CompareError::Write { .. }
@@ -94,6 +116,15 @@ pub(crate) fn raised(error: CompareError) -> PyErr {
 /// The exception for an error of a scene or a model.
 pub(crate) fn of_scene(error: SceneError) -> PyErr {
     raised(error.into())
+}
+
+/// The exception for a submission that is refused.
+pub(crate) fn of_submission(error: SubmissionError) -> PyErr {
+    let class = match error {
+        SubmissionError::Read { .. } => "FileError",
+        _ => "InputError",
+    };
+    of_type(class, error.to_string())
 }
 
 /// The exception for mistakes in the text of a scene or family.

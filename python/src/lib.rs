@@ -5,8 +5,10 @@ mod background;
 mod error;
 mod flow;
 mod instant;
+mod judge;
 mod loads;
 mod model;
+mod outside;
 mod run;
 mod scene;
 mod squirmer;
@@ -23,6 +25,8 @@ mod _native {
     use crate::flow::flow;
     #[pymodule_export]
     use crate::instant::Pair;
+    #[pymodule_export]
+    use crate::judge::{judge, leaderboard, reference_files};
     #[pymodule_export]
     use crate::loads::{coefficients, loads};
     #[pymodule_export]

@@ -111,6 +111,7 @@ fn coefficients_at(
     ratio: f64,
 ) -> Result<ByGap, CompareError> {
     let (mut names, mut values) = (Vec::new(), Vec::new());
+    model.foresee(gaps)?;
     for &gap in gaps {
         let named = if are_unlike(ratio) && model.is_cut(gap) {
             let lone = [ActiveLoads::isolated(set.loads); 2];

@@ -161,7 +161,7 @@ impl SceneError {
     pub fn from_model(model: &'static str, cause: impl Error + Send + Sync + 'static) -> Self {
         Self::Model {
             model,
-            source: ModelFailure(Arc::new(cause)),
+            source: ModelFailure::new(cause),
         }
     }
 }
@@ -169,6 +169,13 @@ impl SceneError {
 /// An error of any type that a hydrodynamic model reports. Two of them are equal if they print alike.
 #[derive(Clone, Debug)]
 pub struct ModelFailure(Arc<dyn Error + Send + Sync>);
+
+impl ModelFailure {
+    /// Keeps `cause` whole.
+    pub fn new(cause: impl Error + Send + Sync + 'static) -> Self {
+        Self(Arc::new(cause))
+    }
+}
 
 impl Deref for ModelFailure {
     type Target = dyn Error + Send + Sync;

@@ -129,6 +129,15 @@ pub trait Hydrodynamics: Send + Sync {
         set: LoadSet,
     ) -> Result<(PairLoads, SwirlLoads), SceneError>;
 
+    /// Says at which gaps the model is about to be asked. A model that answers for many gaps in less time than for one after the other works them out now; by
+    /// default nothing happens.
+    ///
+    /// # Errors
+    /// As [`Self::interacting_loads`].
+    fn foresee(&self, _gaps: &[Gap]) -> Result<(), SceneError> {
+        Ok(())
+    }
+
     /// Fills in the coefficients of `set` at `gap`, but for those by swirl, of spheres that interact, as
     /// [`Self::interacting_loads`] does the loads. There is room for all modes of the set. By default they follow from the loads by [`balance::solve_into`]; a model of
     /// mobilities gives its own. Of unlike spheres there is [`Self::interacting_mobility_of_each`] instead.

@@ -17,7 +17,7 @@ use crate::watch::{Pieces, Progress};
 use crate::{CompareError, Model};
 
 /// Gaps at which models of this workspace are judged: those of most public codes.
-const GAPS: [f64; 18] = [
+pub const OWN_GAPS: [f64; 18] = [
     0.005, 0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 4.0, 10.0, 38.0,
     998.0,
 ];
@@ -156,11 +156,14 @@ pub fn leaderboard(referee: &Model) -> Result<Vec<Scorecard>, CompareError> {
     let own = own_models()?;
     let progress = Progress::begin("models", all.len() + 2 * own.len(), Pieces::Unlike);
     for (name, title, model) in own {
-        let submission = submission_of(&title, model.as_ref(), &GAPS, LoadSet::all(2))?;
+        let submission = submission_of(&title, model.as_ref(), &OWN_GAPS, LoadSet::all(2))?;
         all.push((name, Submitted::File(submission)));
         progress.advance();
     }
-    let options = Options { grid: None };
+    let options = Options {
+        grid: None,
+        gaps: &super::GAPS,
+    };
     (all.iter())
         .map(|(name, submitted)| {
             let reason = Err("not asked for".to_owned());

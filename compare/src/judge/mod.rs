@@ -7,13 +7,13 @@ mod contact;
 mod curves;
 mod faults;
 mod history;
+mod json;
 mod laws;
 mod leaderboard;
 mod points;
 mod rows;
 mod verdict;
 
-use std::sync::Arc;
 use std::time::Instant;
 
 use scene::{Gap, LoadSet, SceneError};
@@ -21,8 +21,8 @@ use scene::{Gap, LoadSet, SceneError};
 use crate::model::check_loads;
 use crate::study::maps::Grid;
 use crate::submission::{
-    Answer, Header, Interpolation, Process, Quantity, Submission, SubmissionError, Submitted,
-    SubmittedModel, Values,
+    Answer, Asked, Header, Interpolation, Quantity, Submission, SubmissionError, Submitted,
+    SubmittedModel, Values, is_raised,
 };
 use crate::watch::{Pieces, Progress};
 use crate::{CompareError, Method, Model};
@@ -32,12 +32,13 @@ pub use contact::Contact;
 pub use curves::{ErrorAt, Group};
 pub use faults::{Affected, FAULT, Fault, Kind};
 pub use history::{HistoryRow, history_rows};
+pub use json::Judged;
 pub use laws::{Decay, Law};
-pub use leaderboard::{LeaderRow, is_public, leader_rows, leaderboard, submission_of};
+pub use leaderboard::{LeaderRow, OWN_GAPS, is_public, leader_rows, leaderboard, submission_of};
 pub use points::{Item, Point, TRUST, Truth, trusted_down_to};
 pub use rows::{JudgeRow, MEASURES};
 
-/// Gaps at which a process is asked, within its range.
+/// Gaps at which a model that is asked is judged, within its range.
 pub const GAPS: [f64; 22] = [
     0.001, 0.002, 0.005, 0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5,
     2.0, 4.0, 10.0, 38.0, 100.0, 998.0,
@@ -94,28 +95,30 @@ pub struct Missing {
 
 /// What is asked of a submission beside its numbers.
 #[derive(Clone, Copy, Debug)]
-pub struct Options {
+pub struct Options<'a> {
     /// The grid of incoming angles; none leaves collisions out.
     pub grid: Option<Grid>,
+    /// Gaps at which a process or a function is asked, in radii; those outside its range are left out.
+    pub gaps: &'a [f64],
 }
 
 /// Judges a submission. `exact` is the model that its collisions are compared with; `theirs` that of the submission, or why it moves no pair.
 ///
 /// # Errors
-/// [`CompareError`] if exact loads fail, or a process does not answer.
+/// [`CompareError`] if exact loads fail, or a process or a function does not answer.
 pub fn judge(
     name: &str,
     submitted: &Submitted,
     theirs: Result<&Model, String>,
     exact: &Model,
-    options: &Options,
+    options: &Options<'_>,
 ) -> Result<Scorecard, CompareError> {
     let header = submitted.header().clone();
     let asked;
     let (submission, measured, unanswered) = match submitted {
         Submitted::File(submission) => (submission, None, Vec::new()),
-        Submitted::Process(process) => {
-            asked = ask(name, process)?;
+        Submitted::Asked(source) => {
+            asked = ask(name, source, options.gaps)?;
             (
                 &asked.submission,
                 Some(asked.seconds),
@@ -156,7 +159,7 @@ pub fn judge(
     };
     let between = match submitted {
         Submitted::File(submission) => between(submission, &truth)?,
-        Submitted::Process(_) => Vec::new(),
+        Submitted::Asked(_) => Vec::new(),
     };
     let items = points::by_item(&points);
     let contacts: Vec<Contact> = items
@@ -195,23 +198,41 @@ pub fn judge(
     })
 }
 
+/// The loads that collisions read.
+pub const READ: LoadSet = LoadSet::planar(2);
+
 /// Sets up the model of a submission for collisions; otherwise the reason why it moves no pair.
 ///
 /// # Errors
-/// [`CompareError::Input`] for a name that is taken or not allowed.
+/// [`CompareError::Input`] for a name that is taken or not allowed; an error of a function's own.
 pub fn mover(name: &str, submitted: &Submitted) -> Result<Result<Model, String>, CompareError> {
     let (model, is_dear) = match submitted.model() {
         Ok(model) => model,
         Err(error) => return Ok(Err(error.to_string())),
     };
-    let method = Method::registered(name, Arc::clone(&model), is_dear)?;
+    let method = Method::registered(name, model, is_dear)?;
     let options = crate::ModelOptions {
-        tabulated: LoadSet::planar(2),
+        tabulated: READ,
         ..crate::ModelOptions::default()
     };
+    moving(method, || Model::set_up(method, &options))
+}
+
+/// The model that `set_up` makes of a method for collisions; otherwise the reason why it moves no pair.
+///
+/// # Errors
+/// An error of a function's own.
+pub fn moving(
+    method: Method,
+    set_up: impl FnOnce() -> Result<Model, CompareError>,
+) -> Result<Result<Model, String>, CompareError> {
     // What it lacks is told in its own words.
-    if let Err(SceneError::Model { source, .. }) = check_loads(model.as_ref(), options.tabulated) {
-        return Ok(Err(source.to_string()));
+    if let Method::Other(other) = method {
+        match check_loads(other.hydrodynamics(), READ) {
+            Err(error) if is_raised(&error) => return Err(error.into()),
+            Err(SceneError::Model { source, .. }) => return Ok(Err(source.to_string())),
+            _ => {}
+        }
     }
     let smallest_needed = ANGLES_AT - 2.0;
     if method.largest_gap() < smallest_needed {
@@ -221,12 +242,13 @@ pub fn mover(name: &str, submitted: &Submitted) -> Result<Result<Model, String>,
             crate::numbers::written(smallest_needed)
         )));
     }
-    Ok(
-        Model::set_up(method, &options).map_err(|error| match error {
-            CompareError::Input { allowed, .. } => allowed,
-            other => other.in_one_line(),
-        }),
-    )
+    match set_up() {
+        Ok(model) => Ok(Ok(model)),
+        Err(error) if is_raised(&error) => Err(error),
+        Err(CompareError::Input { allowed, .. }) => Ok(Err(allowed)),
+        Err(CompareError::Scene(SceneError::Model { source, .. })) => Ok(Err(source.to_string())),
+        Err(other) => Ok(Err(other.in_one_line())),
+    }
 }
 
 /// The method of the referee, with the loads that collisions read.
@@ -235,15 +257,15 @@ pub fn mover(name: &str, submitted: &Submitted) -> Result<Result<Model, String>,
 /// As [`Model::set_up`].
 pub fn referee(options: &crate::ModelOptions) -> Result<Model, CompareError> {
     let options = crate::ModelOptions {
-        tabulated: LoadSet::planar(2),
+        tabulated: READ,
         direct: false,
         ..options.clone()
     };
     Model::set_up(Method::Exact, &options)
 }
 
-/// The answers of a process.
-struct Asked {
+/// What a model that is asked says.
+struct Told {
     submission: Submission,
     /// Time of one answer.
     seconds: f64,
@@ -251,33 +273,40 @@ struct Asked {
     unanswered: Vec<(f64, String)>,
 }
 
-/// The answers of a process at [`GAPS`].
-fn ask(name: &str, process: &Process) -> Result<Asked, CompareError> {
+/// What a model says at those of the gaps that are in its range.
+fn ask(name: &str, asked: &Asked, gaps: &[f64]) -> Result<Told, CompareError> {
     let refused = |allowed: String| CompareError::input("judge", name, allowed);
-    let range = process.range();
-    let within: Vec<Gap> = (GAPS.into_iter())
-        .filter_map(|gap| Gap::new(gap).ok())
+    let range = asked.range();
+    let mut within: Vec<Gap> = (gaps.iter())
+        .filter_map(|gap| Gap::new(*gap).ok())
         .filter(|gap| range.check(*gap).is_ok())
         .collect();
+    within.sort_by(|a, b| a.eps().total_cmp(&b.eps()));
+    within.dedup_by(|a, b| a.eps().total_cmp(&b.eps()).is_eq());
     if within.is_empty() {
         return Err(refused(format!(
-            "its range holds none of the gaps {GAPS:?}"
+            "its range holds none of the gaps {gaps:?}"
         )));
     }
     let progress = Progress::begin("questions", within.len(), Pieces::Alike);
     let (mut answers, mut unanswered) = (Vec::new(), Vec::new());
     let started = Instant::now();
+    let failed = |error: SubmissionError| match error {
+        SubmissionError::Raised { .. } => SceneError::from_model("model", error).into(),
+        error => refused(error.to_string()),
+    };
+    asked.ask_ahead(&within).map_err(failed)?;
     for gap in &within {
-        match process.answer(*gap) {
+        match asked.answer(*gap) {
             Ok(answer) => answers.push(Answer::clone(&answer)),
             Err(SubmissionError::NoAnswer { reason, .. }) => unanswered.push((gap.eps(), reason)),
-            Err(error) => return Err(refused(error.to_string())),
+            Err(error) => return Err(failed(error)),
         }
         progress.advance();
     }
-    Ok(Asked {
+    Ok(Told {
         seconds: started.elapsed().as_secs_f64() / within.len() as f64,
-        submission: Submission::of_answers(process.header().clone(), answers),
+        submission: Submission::of_answers(asked.header().clone(), answers),
         unanswered,
     })
 }

@@ -28,7 +28,10 @@ fn file(header: &str, gaps: &[f64], change: impl Fn(f64, &str, f64) -> f64) -> S
 }
 
 fn judged(submission: Submission) -> Scorecard {
-    let options = Options { grid: None };
+    let options = Options {
+        grid: None,
+        gaps: &super::GAPS,
+    };
     let referee = Model::set_up(
         Method::Exact,
         &ModelOptions {

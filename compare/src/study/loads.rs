@@ -61,6 +61,9 @@ pub fn load_rows(
     };
     let mut rows = Vec::new();
     for &method in methods {
+        if let Method::Other(other) = method {
+            other.hydrodynamics().foresee(gaps)?;
+        }
         for &ratio in &options.ratios {
             let at = estimator(method, ratio, set, &options)?;
             let progress = Progress::begin("gaps", gaps.len(), Pieces::Alike);

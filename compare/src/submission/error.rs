@@ -97,7 +97,7 @@ pub enum SubmissionError {
         place(*line)
     )]
     UnknownName {
-        /// Line of the row, from 1; 0 for the answer of a process.
+        /// Line of the row, from 1; 0 of an answer.
         line: u64,
         /// The name.
         name: String,
@@ -131,6 +131,20 @@ pub enum SubmissionError {
         name: String,
         /// The gap, in radii.
         gap: f64,
+    },
+    /// A gap that is there twice, each time with all that there is at it.
+    #[error("the gap {gap:?} is there twice")]
+    GapTwice {
+        /// The gap, in the unit of the header's radius.
+        gap: f64,
+    },
+    /// What is wrong at a gap.
+    #[error("at the gap {gap:?}: {what}")]
+    At {
+        /// The gap, in radii.
+        gap: f64,
+        /// The mistake.
+        what: String,
     },
     /// No rows.
     #[error("the file has no rows")]
@@ -217,24 +231,39 @@ pub enum SubmissionError {
         /// Largest allowed.
         largest: f64,
     },
-    /// A gap at which a process says that it has no answer.
-    #[error("process '{command}': it has no answer at the gap {gap:?}: {reason}")]
+    /// A gap at which a model that is asked says that it has no answer.
+    #[error("{who}: it has no answer at the gap {gap:?}: {reason}")]
     NoAnswer {
-        /// The command.
-        command: String,
+        /// Who was asked, such as a process with its command.
+        who: String,
         /// The gap, in the unit of its radius.
         gap: f64,
         /// What it says.
         reason: String,
     },
-    /// What a process did instead of answering.
-    #[error("process '{command}': {what}")]
-    Process {
-        /// The command.
-        command: String,
+    /// What a model that is asked did instead of answering.
+    #[error("{who}: {what}")]
+    Asked {
+        /// Who was asked.
+        who: String,
         /// What happened.
         what: String,
     },
+    /// An error of its own that ended the answer.
+    #[error("{who}: {source}")]
+    Raised {
+        /// Who was asked.
+        who: String,
+        /// The error, which is kept whole.
+        source: scene::ModelFailure,
+    },
+}
+
+/// Whether an error is one that somebody who is asked raised himself: it is to come out as it is.
+pub(crate) fn is_raised(error: &(dyn std::error::Error + 'static)) -> bool {
+    let causes = std::iter::successors(Some(error), |error| error.source());
+    let mut causes = causes.filter_map(|error| error.downcast_ref());
+    causes.any(|error| matches!(error, SubmissionError::Raised { .. }))
 }
 
 fn place(line: u64) -> String {

@@ -1,7 +1,8 @@
-//! What anybody's model answers for a pair of equal spheres: a file of named values or of matrices, or a process that is asked.
+//! What anybody's model answers for a pair of equal spheres: a file of named values or of matrices, or a process or a function that is asked.
 //!
 //! `docs/JUDGE.md` has the format. A [`Submission`] is what a file says at its gaps, a [`SubmittedModel`] the same as a hydrodynamic model that moves pairs.
 
+mod asked;
 mod convert;
 mod cubic;
 mod error;
@@ -12,6 +13,7 @@ mod process;
 mod quantity;
 mod rows;
 mod schema;
+mod still;
 
 use std::fs::File;
 use std::io::Read;
@@ -23,13 +25,14 @@ use scene::{Gap, Hydrodynamics};
 
 use crate::{CompareError, Method};
 
+pub use asked::{Asked, Heard, PairAnswer, Silence, Source};
 pub(crate) use convert::derived;
 pub use error::SubmissionError;
-pub(crate) use error::shown;
+pub(crate) use error::{is_raised, shown};
 pub use header::{Header, Interpolation, MatrixKind};
 pub use matrix::MatrixLaws;
 pub use model::SubmittedModel;
-pub use process::{HeaderAnswer, PairAnswer, Process, Question, end_processes};
+pub use process::{HeaderAnswer, Process, Question, end_processes};
 pub use quantity::{KINDS, Quantity, Values};
 pub use schema::schema;
 
@@ -138,6 +141,41 @@ impl Submission {
         Self::parse(&text).map_err(in_file)
     }
 
+    /// From what is said at some gaps in the unit of the header's radius, in any order. NaN stands for a named value that is not there.
+    ///
+    /// # Errors
+    /// [`SubmissionError`]: the first mistake.
+    pub fn of_pairs(header: Header, mut pairs: Vec<PairAnswer>) -> Result<Self, SubmissionError> {
+        let header = header.check()?;
+        if pairs.is_empty() {
+            return Err(SubmissionError::Empty);
+        }
+        if pairs.len() > MOST_GAPS {
+            return Err(SubmissionError::ManyGaps {
+                gaps: pairs.len(),
+                allowed: MOST_GAPS,
+            });
+        }
+        pairs.sort_by(|a, b| a.gap.total_cmp(&b.gap));
+        let twice = (pairs.windows(2)).find(|two| two[0].gap.total_cmp(&two[1].gap).is_eq());
+        if let Some([first, _]) = twice {
+            return Err(SubmissionError::GapTwice { gap: first.gap });
+        }
+        let answer = |mut pair: PairAnswer| {
+            let gap = allowed_gap(pair.gap / header.radius)?;
+            pair.values.retain(|_, value| !value.is_nan());
+            asked::tabled(&header, gap, pair).map_err(|what| SubmissionError::At {
+                gap: gap.eps(),
+                what,
+            })
+        };
+        let answers = pairs
+            .into_iter()
+            .map(answer)
+            .collect::<Result<Vec<_>, _>>()?;
+        Ok(Self { header, answers })
+    }
+
     /// From answers, by rising gap.
     #[must_use]
     pub fn of_answers(header: Header, answers: Vec<Answer>) -> Self {
@@ -188,8 +226,8 @@ impl Submission {
 pub enum Submitted {
     /// A file.
     File(Submission),
-    /// A process.
-    Process(Arc<Process>),
+    /// A process or a function that is asked.
+    Asked(Arc<Asked>),
 }
 
 impl Submitted {
@@ -204,13 +242,26 @@ impl Submitted {
         Method::registered(name, model, is_dear)
     }
 
+    /// The same, in place of an earlier model from outside of this name, as [`Method::replace`] does. A submission that cannot move a pair is a method
+    /// that says so when it is to.
+    ///
+    /// # Errors
+    /// [`CompareError::Input`] for a name that is not allowed.
+    pub fn replace(&self, name: &str) -> Result<Method, CompareError> {
+        let (model, is_dear): (Arc<dyn Hydrodynamics>, bool) = match self.model() {
+            Ok(model) => model,
+            Err(error) => (Arc::new(still::Still(error)), false),
+        };
+        Method::replace(name, model, is_dear)
+    }
+
     /// From the name of a file, or from `exec:` and a command, whose answers may take as long as `limit` each.
     ///
     /// # Errors
     /// As [`Submission::read`] and [`Process::start`].
     pub fn open(source: &str, limit: Duration) -> Result<Self, SubmissionError> {
         Ok(match source.strip_prefix("exec:") {
-            Some(command) => Self::Process(Arc::new(Process::start(command, limit)?)),
+            Some(command) => Self::Asked(Arc::new(Process::start(command, limit)?)),
             None => Self::File(Submission::read(Path::new(source))?),
         })
     }
@@ -220,7 +271,7 @@ impl Submitted {
     pub fn header(&self) -> &Header {
         match self {
             Self::File(submission) => submission.header(),
-            Self::Process(process) => process.header(),
+            Self::Asked(asked) => asked.header(),
         }
     }
 
@@ -231,7 +282,7 @@ impl Submitted {
     pub fn model(&self) -> Result<(Arc<dyn Hydrodynamics>, bool), SubmissionError> {
         Ok(match self {
             Self::File(submission) => (Arc::new(SubmittedModel::new(submission)?), false),
-            Self::Process(process) => (process.clone(), true),
+            Self::Asked(asked) => (asked.clone(), true),
         })
     }
 }

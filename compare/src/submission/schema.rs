@@ -3,8 +3,9 @@
 use schemars::generate::SchemaSettings;
 use serde_json::{Value, json};
 
+use super::asked::PairAnswer;
 use super::header::Header;
-use super::process::{HeaderAnswer, PairAnswer, Question};
+use super::process::{HeaderAnswer, Question};
 use super::quantity::Quantity;
 
 /// The text of `docs/judge.schema.json`: what `squirmers` asks a process and what the process may answer, one line each, made from the types that

@@ -348,19 +348,28 @@ impl Builder<'_> {
         batch: &[Group],
         known: Option<Vec<Values>>,
     ) -> Result<Vec<Values>, SceneError> {
-        let points: Vec<_> = points(degree).collect();
-        points
-            .par_iter()
-            .enumerate()
-            .map(|(k, &u)| match &known {
-                Some(known) if k % 2 == 0 => Ok(known[k / 2].clone()),
-                _ => {
-                    let gap = stretch.gap(0.5 * (low + high) + 0.5 * (high - low) * u)?;
-                    let values = Group::values(batch, self.model, gap, stretch.far)?;
-                    self.tally.one_done();
-                    Ok(values)
-                }
-            })
-            .collect()
+        let gap = |u: f64| stretch.gap(0.5 * (low + high) + 0.5 * (high - low) * u);
+        // From half the degree every other point is known.
+        let every = if known.is_some() { 2 } else { 1 };
+        let new = points(degree).skip(every - 1).step_by(every).map(gap);
+        let new = new.collect::<Result<Vec<_>, _>>()?;
+        self.model.foresee(&new)?;
+        let value = |&gap: &Gap| {
+            let values = Group::values(batch, self.model, gap, stretch.far)?;
+            self.tally.one_done();
+            Ok(values)
+        };
+        let mut new = (new.par_iter().map(value))
+            .collect::<Result<Vec<_>, SceneError>>()?
+            .into_iter();
+        let Some(known) = known else {
+            return Ok(new.collect());
+        };
+        let mut values = Vec::with_capacity(degree + 1);
+        for known in known {
+            values.push(known);
+            values.extend(new.next());
+        }
+        Ok(values)
     }
 }

@@ -397,3 +397,66 @@ fn a_table_of_a_model_that_jumps_without_a_seam_says_that_it_missed_its_toleranc
         TableLimit::Missed(summary.interpolation_error)
     );
 }
+
+/// A model that knows no gap that it was not told of before.
+struct Told {
+    made: Made,
+    gaps: std::sync::Mutex<Vec<u64>>,
+}
+
+impl Hydrodynamics for Told {
+    fn description(&self) -> ModelDescription<'_> {
+        self.made.description()
+    }
+
+    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
+        if !self.gaps.lock().unwrap().contains(&gap.eps().to_bits()) {
+            return Err(SceneError::InvalidGap { eps: gap.eps() });
+        }
+        self.made.interacting_loads(gap, set)
+    }
+
+    fn interacting_loads_with_swirl(
+        &self,
+        gap: Gap,
+        set: LoadSet,
+    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
+        self.made.interacting_loads_with_swirl(gap, set)
+    }
+
+    fn foresee(&self, gaps: &[Gap]) -> Result<(), SceneError> {
+        let new = gaps.iter().map(|gap| gap.eps().to_bits());
+        self.gaps.lock().unwrap().extend(new);
+        Ok(())
+    }
+
+    fn error_estimate(&self, _: Gap, _: LoadSet) -> Result<Option<f64>, SceneError> {
+        Ok(None)
+    }
+
+    fn fingerprint(&self) -> String {
+        "told".to_owned()
+    }
+}
+
+#[test]
+fn a_table_says_at_which_gaps_it_asks_and_is_the_same_table() {
+    let told = Told {
+        made: Made {
+            seam: Some(0.37),
+            noise: 1e-13,
+        },
+        gaps: std::sync::Mutex::default(),
+    };
+    let options = TableOptions {
+        set: LoadSet::all(2),
+        tolerance: 1e-8,
+        smallest_gap: 1e-3,
+    };
+    let found = Tabulated::build(Arc::new(told), options, &|_| ()).unwrap();
+    let usual = table(Some(0.37), 1e-13, 1e-8);
+    for eps in [2e-3, 0.1, 0.5, 3.0, 70.0] {
+        let set = LoadSet::all(2);
+        assert_eq!(answer(&found, eps, set), answer(&usual, eps, set));
+    }
+}

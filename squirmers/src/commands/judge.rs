@@ -3,7 +3,9 @@
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use compare::judge::{JudgeRow, LeaderRow, Options, Scorecard, judge, mover, referee};
+use compare::judge::{
+    GAPS, JudgeRow, Judged, LeaderRow, Options, Scorecard, judge, mover, referee,
+};
 use compare::numbers::{parse_number, parse_whole, rounded};
 use compare::output::csv_text;
 use compare::study::maps::Grid;
@@ -84,7 +86,7 @@ pub(super) fn run(
         .collect::<Result<Vec<_>, CommandError>>()?;
     let out = general.output()?;
     let exact = referee(&general.model_options())?;
-    let options = Options { grid };
+    let options = Options { grid, gaps: &GAPS };
     let mut cards = Vec::new();
     for ((name, submitted), mover) in submissions.iter().zip(&movers) {
         let theirs = mover.as_ref().map_err(String::clone);
@@ -129,7 +131,7 @@ pub(super) fn run(
     )?;
     let path = out.write("judge.html", &page)?;
     if arguments.json {
-        let all: Vec<Judged<'_>> = cards.iter().map(Judged::of).collect();
+        let all: Vec<Judged<'_>> = cards.iter().map(Scorecard::judged).collect();
         let text = serde_json::to_string_pretty(&all)
             .map_err(|error| CommandError::input("--json", "output", error.to_string()))?;
         print_line!("{text}");
@@ -143,70 +145,6 @@ pub(super) fn run(
         print_line!("{}", path.display());
     }
     Ok(out.account().verdict()?)
-}
-
-/// A scorecard as JSON, in which NaN is null.
-#[derive(Serialize)]
-struct Judged<'a> {
-    model: &'a str,
-    header: &'a compare::submission::Header,
-    faultless: bool,
-    verdict: Vec<String>,
-    trusted_down_to: Vec<Option<f64>>,
-    faults: Vec<JudgedFault>,
-    rows: Vec<JudgedRow>,
-}
-
-#[derive(Serialize)]
-struct JudgedFault {
-    kind: &'static str,
-    items: Vec<String>,
-    number: f64,
-    worst_error: f64,
-    at_gap: f64,
-    sentence: String,
-}
-
-/// As a row of the CSV.
-#[derive(Serialize)]
-struct JudgedRow {
-    measure: &'static str,
-    case: String,
-    value: f64,
-    unit: &'static str,
-}
-
-impl<'a> Judged<'a> {
-    fn of(card: &'a Scorecard) -> Self {
-        Self {
-            model: &card.name,
-            header: &card.header,
-            faultless: card.is_faultless(),
-            verdict: card.verdict(),
-            trusted_down_to: compare::judge::TRUST
-                .iter()
-                .map(|&bound| card.trusted(bound))
-                .collect(),
-            faults: (card.faults.iter())
-                .map(|fault| JudgedFault {
-                    kind: fault.kind.name(),
-                    items: fault.items().iter().map(ToString::to_string).collect(),
-                    number: fault.kind.number(),
-                    worst_error: fault.worst().0,
-                    at_gap: fault.worst().1,
-                    sentence: fault.sentence(),
-                })
-                .collect(),
-            rows: (card.rows().into_iter())
-                .map(|row| JudgedRow {
-                    measure: row.measure,
-                    case: row.case,
-                    value: row.value,
-                    unit: row.unit,
-                })
-                .collect(),
-        }
-    }
 }
 
 /// A line broken to the width of a terminal, with what follows indented.

@@ -1,7 +1,7 @@
 //! How good public codes are near contact.
 
 use super::*;
-use compare::judge::{Item, LeaderRow, Options, Scorecard, judge, mover};
+use compare::judge::{GAPS, Item, LeaderRow, Options, Scorecard, judge, mover};
 use compare::submission::{Submission, Submitted};
 
 fn card(name: &str, grid: Option<Grid>) -> Scorecard {
@@ -13,7 +13,14 @@ fn card(name: &str, grid: Option<Grid>) -> Scorecard {
         .map_or(Err("not asked for".to_owned()), |model| {
             model.as_ref().map_err(String::clone)
         });
-    judge(name, &submitted, theirs, exact(), &Options { grid }).unwrap()
+    judge(
+        name,
+        &submitted,
+        theirs,
+        exact(),
+        &Options { grid, gaps: &GAPS },
+    )
+    .unwrap()
 }
 
 /// The error of `X11A` in per cent, at a gap.

@@ -6,12 +6,12 @@ use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
 use std::sync::mpsc::{
     Receiver, RecvTimeoutError, SyncSender, TryRecvError, TrySendError, channel, sync_channel,
 };
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use serde::Deserialize;
 
-use super::Question;
+use super::{Question, locked};
 use crate::submission::error::shown;
 
 /// Longest line of an answer, in bytes.
@@ -56,29 +56,11 @@ enum Heard {
     Torn,
 }
 
-/// Why there is no answer.
-pub(super) enum Trouble {
-    /// To this question alone.
-    Here(String),
-    /// And there will be none: what comes next cannot be trusted.
-    Over(String),
-}
-
-pub(super) use Trouble::{Here, Over};
-
-pub(super) fn over<T>(what: impl Into<String>) -> Result<T, Trouble> {
-    Err(Over(what.into()))
-}
-
 /// All processes that run.
 static RUNNING: Mutex<Vec<Arc<Mutex<Running>>>> = Mutex::new(Vec::new());
 
 /// Whether the program is about to end.
 static IS_ENDING: AtomicBool = AtomicBool::new(false);
-
-pub(super) fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
-}
 
 impl Running {
     /// How it ended, if it does so in this time.
@@ -200,26 +182,22 @@ impl Talk {
         })
     }
 
-    /// One question and what is made of its answer. After a trouble that does not concern this question alone, whatever is asked next fails with the
-    /// same reason.
+    /// One question and what is made of its answer. After a failure whatever is asked next fails with the same reason: what comes next cannot be
+    /// trusted.
     pub fn ask<A: for<'de> Deserialize<'de>, T>(
         &mut self,
         question: Question,
         limit: Duration,
-        understood: impl FnOnce(A) -> Result<T, Trouble>,
+        understood: impl FnOnce(A) -> Result<T, String>,
     ) -> Result<T, String> {
-        let answer = self.exchange(question, limit).map_err(Over);
+        let answer = self.exchange(question, limit);
         let answer = answer.and_then(|line| understood(parsed(&line)?));
-        answer.map_err(|trouble| match trouble {
-            Here(what) => what,
-            Over(what) => {
-                if IS_ENDING.load(SeqCst) {
-                    std::thread::sleep(ENDING);
-                }
-                locked(&self.running).end(Duration::ZERO);
-                self.over = Some(what.clone());
-                what
+        answer.inspect_err(|what| {
+            if IS_ENDING.load(SeqCst) {
+                std::thread::sleep(ENDING);
             }
+            locked(&self.running).end(Duration::ZERO);
+            self.over = Some(what.clone());
         })
     }
 
@@ -286,13 +264,13 @@ impl Talk {
 }
 
 /// A line as JSON.
-fn parsed<A: for<'de> Deserialize<'de>>(line: &[u8]) -> Result<A, Trouble> {
+fn parsed<A: for<'de> Deserialize<'de>>(line: &[u8]) -> Result<A, String> {
     serde_json::from_slice(line).map_err(|error| {
-        Over(format!(
+        format!(
             "its answer '{}' is not as it should be: {}",
             beginning(line),
             shown(&error.to_string(), 120)
-        ))
+        )
     })
 }
 

@@ -8,7 +8,10 @@ use std::time::Instant;
 use approx::assert_relative_eq;
 use tempfile::TempDir;
 
+use scene::{Gap, Hydrodynamics, LoadSet};
+
 use super::*;
+use crate::submission::Quantity;
 
 /// Enough for a shell on a busy machine.
 const LONG: Duration = Duration::from_secs(20);
@@ -51,8 +54,12 @@ impl Script {
         format!("sh '{}' '{}'", path.display(), self.folder.path().display())
     }
 
-    fn start(&self, limit: Duration) -> Result<Process, SubmissionError> {
+    fn start(&self, limit: Duration) -> Result<Asked, SubmissionError> {
         Process::start(&self.command(), limit)
+    }
+
+    fn begin(&self) -> (Process, Header) {
+        Process::begin(&self.command(), LONG).unwrap()
     }
 
     /// The number that the script wrote to a file.
@@ -114,12 +121,10 @@ fn refused_at_once(text: &str, limit: Duration, message: &str) {
 }
 
 /// The script, whose header is good, is refused at the first question for a pair, and at the second one for the same reason at once.
-fn refused_at_a_gap(header: &str, each: &str, limit: Duration, message: &str) {
-    let script = Script::answering(header, each);
-    let process = Process {
-        limit,
-        ..script.start(LONG).unwrap()
-    };
+fn refused_at_a_gap(first: &str, each: &str, limit: Duration, message: &str) {
+    let script = Script::answering(first, each);
+    let (process, header) = script.begin();
+    let process = Asked::new(Arc::new(Process { limit, ..process }), header).unwrap();
     let started = Instant::now();
     let error = process.answer(gap(1.0)).unwrap_err();
     one_line(&error, message);
@@ -337,10 +342,12 @@ fn lines_that_nobody_asked_for_are_told() {
 #[test]
 fn a_process_that_ends_between_two_questions_is_told() {
     let script = Script::answering(HEADER, "echo \"{\\\"gap\\\":$gap}\"; exit 5");
-    let process = script.start(LONG).unwrap();
+    let (source, header) = script.begin();
+    let source = Arc::new(source);
+    let process = Asked::new(source.clone(), header).unwrap();
     assert!(process.answer(gap(1.0)).is_ok());
     wait(|| {
-        locked(&locked(&process.talk).running)
+        locked(&locked(&source.talk).running)
             .status_within(Duration::ZERO)
             .is_some()
     });
@@ -359,10 +366,7 @@ fn a_process_that_answers_without_reading_is_told() {
     let script = Script::new(&format!(
         "read -r line; echo '{{\"header\":{{\"range\":[0.5,10000]}}}}'; sleep 0.3; {answers}; sleep 60"
     ));
-    let process = Process {
-        limit: LONG,
-        ..script.start(LONG).unwrap()
-    };
+    let process = script.start(LONG).unwrap();
     let started = Instant::now();
     let error = (1..9000).find_map(|k| process.answer(gap(f64::from(k))).err());
     let error = error.unwrap().to_string();
