@@ -11,7 +11,7 @@ import argparse
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-import joblib  # type: ignore[import-untyped]
+import joblib
 import squirmers
 
 

@@ -127,5 +127,5 @@ def reference(version: str | None = None) -> Reference:
     """
     package = Reference(dict(_native.reference_files()))
     if version is not None and version != package.version:
-        raise InputError(f"version '{version}' is not allowed: give {package.version}")
+        raise InputError(f"version '{str(version):.100}' is not allowed: give {package.version}")
     return package

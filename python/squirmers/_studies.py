@@ -22,6 +22,14 @@ if TYPE_CHECKING:
 _INFINITY = float("inf")
 
 
+def _of_axes(axes: Mapping[str, npt.ArrayLike]) -> list[tuple[str, npt.ArrayLike]]:
+    from collections.abc import Mapping
+
+    if not isinstance(axes, Mapping):
+        raise TypeError(f"axes are a mapping of names to values, not {type(axes).__name__}")
+    return list(axes.items())
+
+
 def _share(partition: str | tuple[int, int] | None) -> str | None:
     if partition is None or isinstance(partition, str):
         return partition
@@ -92,7 +100,7 @@ def sweep(
     """
     parts = _native.sweep(
         family,
-        list(axes.items()),
+        _of_axes(axes),
         models_of_family(family, models),
         out=out,
         fresh=fresh,
@@ -387,7 +395,7 @@ def sensitivity(
         from ._errors import InputError
 
         raise InputError("axes without family are not allowed: give a family, or neither")
-    of_axes = [] if axes is None else list(axes.items())
+    of_axes = [] if axes is None else _of_axes(axes)
     cases, derivatives = _native.sensitivity(
         family,
         of_axes,

@@ -6,7 +6,7 @@ use pyo3::inspect::{PyStaticConstant, PyStaticExpr};
 use pyo3::prelude::*;
 use pyo3::{type_hint_identifier, type_hint_subscript, type_hint_union};
 
-use crate::error::input;
+use crate::error::{input, refused};
 
 /// Largest coordinate of a point: its square is finite.
 const FARTHEST: f64 = 1e100;
@@ -65,9 +65,26 @@ impl<'a, 'py> FromPyObject<'a, 'py> for Numbers<'py> {
     const INPUT_TYPE: PyStaticExpr = type_hint_identifier!("numpy.typing", "ArrayLike");
 
     fn extract(object: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+        // An array of complex numbers would lose their imaginary parts, dates would be days, and what is masked would be there again.
+        if let Ok(dtype) = object.getattr("dtype") {
+            let kind: String = dtype.getattr("kind")?.extract()?;
+            if !REAL.contains(&kind.as_str()) {
+                return Err(refused(format!(
+                    "an array of {dtype} is not allowed: give real numbers"
+                )));
+            }
+        }
+        if object.hasattr("mask")? {
+            return Err(refused(
+                "a masked array is not allowed: give one that is filled".to_owned(),
+            ));
+        }
         Ok(Self(object.extract()?))
     }
 }
+
+/// Kinds of numpy's types that are real numbers, or objects that may be.
+const REAL: [&str; 5] = ["b", "i", "u", "f", "O"];
 
 impl Numbers<'_> {
     pub(crate) fn shape(&self) -> Vec<usize> {

@@ -18,6 +18,21 @@ static INPUT: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static FILE: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 static COMPUTATION: PyOnceLock<Py<PyType>> = PyOnceLock::new();
 
+/// Longest line of a message, in letters: a path may be of any length.
+const LONGEST: usize = 1000;
+
+/// The text with the beginnings of lines that are too long.
+fn short(text: String) -> String {
+    if text.len() <= LONGEST {
+        return text;
+    }
+    let line = |line: &str| match line.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}...", &line[..end]),
+        None => line.to_owned(),
+    };
+    text.lines().map(line).collect::<Vec<_>>().join("\n")
+}
+
 fn of_type(name: &str, text: String) -> PyErr {
     let slot = match name {
         "FileError" => &FILE,
@@ -25,7 +40,7 @@ fn of_type(name: &str, text: String) -> PyErr {
         _ => &INPUT,
     };
     Python::attach(|py| match slot.import(py, MODULE, name) {
-        Ok(class) => PyErr::from_type(class.clone(), text),
+        Ok(class) => PyErr::from_type(class.clone(), short(text)),
         Err(error) => error,
     })
 }

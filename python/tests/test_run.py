@@ -175,3 +175,22 @@ def test_loads_have_the_bits_of_the_command_line(program, tmp_path):
         row = dict(zip(header, line.split(","), strict=True))
         ours = squirmers.loads(row["method"], [float(row["gap"])])
         assert ours[row["name"]][0] == float(row["value"]), row
+
+
+@pytest.mark.parametrize(
+    "gaps",
+    [
+        np.array([0.1 + 1j]),
+        np.array(["2020-01-01"], dtype="datetime64[D]"),
+        np.ma.masked_equal([0.1, 0.2], 0.2),
+        ["0.1 a"],
+        [None],
+        [0.1, float("nan")],
+        [[0.1]],
+    ],
+)
+def test_what_is_no_real_number_is_refused_and_not_made_one(gaps):
+    with pytest.raises((ValueError, TypeError), match="."):
+        squirmers.loads("lt", gaps)
+    assert squirmers.loads("lt", np.array([1, 2], dtype=np.int8))["gap"].tolist() == [1, 2]
+    assert squirmers.loads("lt", 1)["gap"].tolist() == [1]
