@@ -44,9 +44,11 @@ fn what_is_given_up_ends_keeps_nothing_unfinished_and_can_be_done_again() {
     let folder = tempfile::tempdir().unwrap();
     let out = OutputFolder::open(folder.path()).unwrap();
     let models = [lubrication];
+    let loads = points.reads().unwrap().loads;
     let sweep = FamilySweep {
         points: &points,
         models: &models,
+        loads,
         share: Share::ALL,
         time_limit: None,
         out: &out,
