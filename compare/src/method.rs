@@ -346,11 +346,14 @@ mod tests {
         let last = Method::replace("replaced", of_ratio(0.5), false).unwrap();
         assert_ne!(first, last);
         assert_eq!(Method::named("replaced"), Some(last));
-        let ratio = |method| match method {
-            Method::Other(other) => other.hydrodynamics().description().ratio,
-            _ => f64::NAN,
+        let has_unlike_radii = |method| match method {
+            Method::Other(other) => Some(other.hydrodynamics().has_unlike_radii()),
+            _ => None,
         };
-        assert_eq!([first, last].map(ratio), [1.0, 0.5]);
+        assert_eq!(
+            [first, last].map(has_unlike_radii),
+            [Some(false), Some(true)]
+        );
         assert!(Method::register("replaced", Box::new(scene::Isolated::EQUAL)).is_err());
         for refused in ["exact", "none", "", "a b"] {
             assert!(
