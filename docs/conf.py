@@ -31,6 +31,8 @@ suppress_warnings = ["misc.highlighting_failure"]
 nb_execution_mode = "force"
 nb_execution_raise_on_error = True
 nb_execution_timeout = 300
+# What a notebook writes to its error stream, warnings too, fails the site.
+nb_output_stderr = "error"
 
 numpydoc_show_class_members = False
 numpydoc_xref_param_type = False

@@ -145,6 +145,11 @@ impl Method {
             );
             return Err(CompareError::input("--method", name, allowed));
         }
+        if name.parse::<f64>().is_ok() {
+            // Whoever reads a column of such names takes them for numbers.
+            let allowed = "a name is a word, and this is a number";
+            return Err(CompareError::input("--method", name, allowed));
+        }
         Ok(())
     }
 
@@ -355,7 +360,7 @@ mod tests {
             [Some(false), Some(true)]
         );
         assert!(Method::register("replaced", Box::new(scene::Isolated::EQUAL)).is_err());
-        for refused in ["exact", "none", "", "a b"] {
+        for refused in ["exact", "none", "", "a b", "nan", "1e5"] {
             assert!(
                 Method::replace(refused, of_ratio(1.0), false).is_err(),
                 "{refused}"

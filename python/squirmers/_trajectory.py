@@ -7,6 +7,7 @@ from ._models import model_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from types import SimpleNamespace
     from typing import Any
 
     import matplotlib.axes
@@ -32,7 +33,7 @@ class Trajectory:
 
     __slots__ = ("_run", "model", "scene")
 
-    def __init__(self, run: _native.Run, scene: Scene, model: str) -> None:
+    def __init__(self, run: _native.Run | SimpleNamespace, scene: Scene, model: str) -> None:
         self._run = run
         self.scene = scene
         self.model = model
@@ -114,6 +115,9 @@ class Trajectory:
     def __len__(self) -> int:
         return len(self.time)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _kept, (self.scene, self.model, {name: getattr(self._run, name) for name in _KEPT})
+
     def __repr__(self) -> str:
         one, two = self.deflections_deg
         return (
@@ -151,6 +155,32 @@ class Trajectory:
         from ._plots import paths
 
         return paths(self, ax)
+
+
+#: Numbers of a run that a pickle keeps.
+_KEPT = (
+    "time",
+    "positions",
+    "orientations",
+    "angles_deg",
+    "gap",
+    "outcome",
+    "deflections_deg",
+    "truncation_deg",
+    "min_gap",
+    "tau",
+    "end_time",
+    "settled",
+    "steps",
+    "seconds",
+)
+
+
+def _kept(scene: Scene, model: str, numbers: dict[str, Any]) -> Trajectory:
+    """The trajectory of a pickle."""
+    from types import SimpleNamespace
+
+    return Trajectory(SimpleNamespace(**numbers), scene, model)
 
 
 def run(

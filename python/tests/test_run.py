@@ -93,6 +93,17 @@ def test_scenes_come_back_from_pickles_with_the_same_bits():
     assert scenes[0] != scenes[2]
 
 
+def test_trajectories_come_back_from_pickles(opposed):
+    run = squirmers.run(opposed, sample_interval=1.0)
+    again = pickle.loads(pickle.dumps(run))
+    assert repr(again) == repr(run) and again.scene == opposed
+    for name in ("time", "positions", "orientations", "angles_deg", "gap", "deflections_deg"):
+        assert np.array_equal(getattr(again, name), getattr(run, name))
+    for name in ("truncation_deg", "min_gap", "tau", "end_time", "settled", "steps", "seconds", "outcome"):
+        assert getattr(again, name) == getattr(run, name)
+    assert again.to_pandas().equals(run.to_pandas())
+
+
 def test_val_loads_obey_their_laws_and_published_limits():
     gaps = np.geomspace(1e-3, 1e3, 13)
     loads = squirmers.loads("exact", gaps)
