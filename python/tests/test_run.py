@@ -70,6 +70,25 @@ def test_settings_of_a_file_hold_unless_others_are_given():
     assert longer.model == "exact" and list(longer.time) == [0, 2, 4]
 
 
+def test_each_setting_does_what_it_says(opposed):
+    usual = squirmers.run(opposed)
+    coarse, fine = (squirmers.run(opposed, tolerance=tolerance) for tolerance in (1e-4, 1e-12))
+    assert coarse.steps < usual.steps < fine.steps
+    assert usual.deflections_deg == pytest.approx(fine.deflections_deg, abs=1e-5)
+    # The pair has parted where it recedes at this distance, and no earlier.
+    for distance in (9.0, 30.0):
+        parted = squirmers.run(opposed, departure_distance=distance)
+        assert parted.gap[-1] + 2 == pytest.approx(distance, abs=1e-6)
+        assert parted.deflections_deg == pytest.approx(usual.deflections_deg, abs=1e-4)
+    # What the far field still turns beyond a distance falls with it.
+    missing = [abs(squirmers.run(opposed, angles_at=at).deflections_deg[0] - fine.deflections_deg[0]) for at in (12, 24, 48)]
+    assert missing[0] > 3 * missing[1] > 9 * missing[2] > 0
+    early = squirmers.run(opposed, end_time=2.5)
+    assert early.end_time == 2.5 and early.outcome == "undecided"
+    with pytest.raises(squirmers.ComputationError, match="10 steps"):
+        squirmers.run(opposed, max_steps=10)
+
+
 def test_scenes_come_back_from_pickles_with_the_same_bits():
     scenes = [
         squirmers.Scene.of("opposed", beta=5.0, dx=0.1),
