@@ -52,7 +52,7 @@ fn models_of_loads_alone_are_refused() {
     for more in [&[][..], &["--method", "lt"], &["--method", "lt-corrected"]] {
         let message = refusal(more);
         assert!(
-            message.contains("loads, no flow: give --method exact"),
+            message.contains("loads, no flow: give exact or bem"),
             "{message}"
         );
     }
