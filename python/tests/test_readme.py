@@ -30,6 +30,28 @@ def test_readme_the_example_of_the_package_runs(project, capsys):
     assert capsys.readouterr().out.startswith("scattered [-11.698")
 
 
+def test_readme_what_the_page_on_python_shows_runs(project, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    scene = (project / "fixtures" / "scenes" / "fig6-head-on-dx1.toml").read_text()
+    (tmp_path / "scene.toml").write_text(scene)
+    names = {}
+    shown = blocks((project / "docs" / "PYTHON.md").read_text())
+    for block in shown:
+        exec(compile(block, "PYTHON.md", "exec"), names)
+    assert len(shown) == 4
+    assert len(names["table"]) == 18 and names["model"].name == "mine"
+
+
+def test_readme_the_function_of_the_page_on_judging_is_judged(project, capsys):
+    page = (project / "docs" / "JUDGE.md").read_text()
+    section = page.split("### A function in Python")[1].split("\n## ")[0]
+    for block in blocks(section):
+        exec(compile(block, "JUDGE.md", "exec"), {})
+    # Right far apart, and no lubrication: that is what a far field is.
+    said = capsys.readouterr().out
+    assert said.startswith("far is within 1 % down to a gap of") and "Fault (missing lubrication)" in said
+
+
 def test_importing_the_package_imports_nothing_large():
     large = ("numpy", "pandas", "matplotlib", "xarray", "tqdm", "typing", "dask", "logging")
     code = f"import sys; before = set(sys.modules); import squirmers; print([m for m in {large} if m in set(sys.modules) - before])"
