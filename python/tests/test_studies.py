@@ -136,7 +136,8 @@ def test_collision_integrals_have_the_bytes_of_the_command_line(command_line, tm
     ],
 )
 def test_defaults_are_those_of_the_command_line(study, options, command_line):
-    text = command_line(study, "--help")
+    # However wide its lines are.
+    text = " ".join(command_line(study, "--help").split())
     parameters = inspect.signature(getattr(squirmers, study)).parameters
     for name, option in options.items():
         told = re.search(rf"--{option} <.*?\[default: (.*?)\]", text, re.DOTALL)[1]
