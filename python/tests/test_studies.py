@@ -311,8 +311,10 @@ def test_what_another_sweep_kept_is_not_deleted_unless_asked(tmp_path):
 
 def _started(script, *arguments):
     """A process of Python that has told that it has begun."""
+    # Shells ignore interrupts for commands in the background, and so would what these start.
+    heard = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
     process = subprocess.Popen(
-        [sys.executable, "-u", "-c", script, *map(str, arguments)], stdout=subprocess.PIPE, text=True
+        [sys.executable, "-u", "-c", heard + script, *map(str, arguments)], stdout=subprocess.PIPE, text=True
     )
     assert process.stdout.readline() == "begun\n"
     return process
