@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from . import _native
 from ._errors import InputError
-from ._loads import _by_gap, _table
+from ._loads import _parts
 from ._models import as_model
 from ._progress import shower
 from ._table import Table
@@ -361,8 +361,6 @@ def stresses(
     array([4.309755, 4.      ])
     """
     names, values, errors = _native.stresses(as_model(model), gaps, modes, swirl_modes, ratio, shower(progress))
-    meaning = "Stresslet or rate of work, a pure number."
-    columns, of_columns = _by_gap(gaps, names, values, meaning)
-    table = Stresses(columns, of_columns, _table(gaps, names, values, meaning).csv, ("gap",))
-    table.errors = _table(gaps, names, errors, "Estimate of the error of the number.")
+    table = Stresses(*_parts(gaps, names, values, "Stresslet or rate of work, a pure number."))
+    table.errors = Table(*_parts(gaps, names, errors, "Estimate of the error of the number."))
     return table

@@ -15,26 +15,18 @@ if TYPE_CHECKING:
     from ._native import Model
 
 
-def _by_gap(
-    gaps: npt.ArrayLike,
-    names: list[str],
-    values: npt.NDArray[np.float64],
-    meaning: str,
-) -> tuple[list[tuple[str, str, str]], list[npt.NDArray[np.generic] | list[str]]]:
+def _parts(
+    gaps: npt.ArrayLike, names: list[str], values: npt.NDArray[np.float64], meaning: str
+) -> tuple[list[tuple[str, str, str]], list[npt.NDArray[np.generic] | list[str]], str, tuple[str]]:
+    """What a table of numbers by gap is made of."""
     import numpy as np
 
     columns = [("gap", "a", "Gap between the surfaces of the squirmers.")]
     columns += [(name, "-", meaning) for name in names]
-    return columns, [np.atleast_1d(np.asarray(gaps, dtype=float)), *values.T]
-
-
-def _table(
-    gaps: npt.ArrayLike, names: list[str], values: npt.NDArray[np.float64], meaning: str
-) -> Table:
-    columns, of_columns = _by_gap(gaps, names, values, meaning)
+    of_columns = [np.atleast_1d(np.asarray(gaps, dtype=float)), *values.T]
     lines = [",".join(_quoted(column[0]) for column in columns)]
     lines += [",".join(repr(float(cell)) for cell in row) for row in zip(*of_columns, strict=True)]
-    return Table(columns, of_columns, "\n".join(lines) + "\n", ("gap",))
+    return columns, [*of_columns], "\n".join(lines) + "\n", ("gap",)
 
 
 def _quoted(name: str) -> str:
@@ -103,10 +95,8 @@ def loads(
     names, values, errors = _native.loads(
         as_model(model), gaps, modes, swirl_modes, ratio, shower(progress)
     )
-    columns, of_columns = _by_gap(gaps, names, values, "Load, a pure number.")
-    plain = _table(gaps, names, values, "")
-    table = Loads(columns, of_columns, plain.csv, ("gap",))
-    table.errors = _table(gaps, names, errors, "Estimate of the error of the load.")
+    table = Loads(*_parts(gaps, names, values, "Load, a pure number."))
+    table.errors = Table(*_parts(gaps, names, errors, "Estimate of the error of the load."))
     return table
 
 
@@ -145,4 +135,4 @@ def mobility(
         If a gap, a mode or the ratio is not allowed, or the model has no loads there.
     """
     names, values = _native.coefficients(as_model(model), gaps, modes, swirl_modes, ratio)
-    return _table(gaps, names, values, "Coefficient of motion.")
+    return Table(*_parts(gaps, names, values, "Coefficient of motion."))

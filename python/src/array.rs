@@ -101,6 +101,12 @@ impl Numbers<'_> {
         format!("of the shape {:?}", self.shape())
     }
 
+    /// Vectors from rows of up to three numbers; what is left out is 0.
+    fn rows(&self, length: usize) -> Vec<Vector3<f64>> {
+        let row = |row: &[f64]| Vector3::from_fn(|i, _| row.get(i).copied().unwrap_or(0.0));
+        self.flat().chunks(length).map(row).collect()
+    }
+
     /// One number, or as many as an array of one dimension has.
     pub(crate) fn list(&self, what: &'static str) -> PyResult<Vec<f64>> {
         if self.shape().len() > 1 {
@@ -131,8 +137,7 @@ impl Numbers<'_> {
                 return Err(input(what, self.shape_in_words(), allowed));
             }
         };
-        let row = |row: &[f64]| Vector3::from_fn(|i, _| row.get(i).copied().unwrap_or(0.0));
-        let points: Vec<_> = self.flat().chunks(length).map(row).collect();
+        let points = self.rows(length);
         match (points.iter()).position(|point| !point.iter().all(|x| x.abs() <= FARTHEST)) {
             Some(index) => {
                 let [x, y, z] = points[index].into();
@@ -151,11 +156,7 @@ impl Numbers<'_> {
         allowed: &[usize],
     ) -> PyResult<Vec<Vector3<f64>>> {
         match self.shape()[..] {
-            [_, length] if allowed.contains(&length) => {
-                let flat = self.flat();
-                let row = |row: &[f64]| Vector3::from_fn(|i, _| row.get(i).copied().unwrap_or(0.0));
-                Ok(flat.chunks(length).map(row).collect())
-            }
+            [_, length] if allowed.contains(&length) => Ok(self.rows(length)),
             _ => {
                 let shapes: Vec<String> = allowed.iter().map(|n| format!("(n, {n})")).collect();
                 let allowed = format!("give an array of the shape {}", shapes.join(" or "));

@@ -14,7 +14,8 @@ use pyo3::prelude::*;
 
 use crate::array::{Numbers, Show};
 use crate::background::in_background;
-use crate::error::{input, of_scene, raised};
+use crate::error::{input, raised};
+use crate::loads;
 use crate::model::Model;
 use crate::table::{Parts, parts};
 
@@ -28,16 +29,11 @@ fn checked_gaps(model: &Model, gaps: Option<Numbers<'_>>) -> PyResult<Option<Vec
         let allowed = "a table or file is judged at its own gaps: leave it out";
         return Err(input("gaps", "of a table", allowed));
     }
-    let gaps = gaps.list("gaps")?;
+    let gaps = loads::checked_gaps(model, &gaps, 1.0)?;
     if gaps.is_empty() {
         return Err(input("gaps", "[]", "give at least one gap"));
     }
-    for &eps in &gaps {
-        let gap = Gap::new(eps).map_err(of_scene)?;
-        let mesh = model.options().mesh;
-        (model.method().check_gap(mesh, 1.0, gap)).map_err(raised)?;
-    }
-    Ok(Some(gaps))
+    Ok(Some(gaps.into_iter().map(Gap::eps).collect()))
 }
 
 /// The exact model where no collisions are run.

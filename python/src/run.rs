@@ -113,11 +113,6 @@ impl Run {
     }
 
     #[getter]
-    fn loads(&self) -> u64 {
-        self.run.counters.loads
-    }
-
-    #[getter]
     fn seconds(&self) -> f64 {
         self.seconds
     }

@@ -121,6 +121,27 @@ fn pair_of(squirmers: &Bound<'_, PyAny>) -> PyResult<[::scene::Squirmer; 2]> {
 }
 
 impl Scene {
+    fn of_parts(
+        squirmers: &Bound<'_, PyAny>,
+        (positions, orientations): ([Vector3<f64>; 2], [Orientation; 2]),
+        repulsion: Option<Repulsion>,
+        gravity: Option<[f64; 3]>,
+    ) -> PyResult<Self> {
+        let start = [0, 1].map(|k| Pose {
+            position: positions[k],
+            orientation: orientations[k],
+        });
+        let pulls = gravity.map(|direction| Gravity::new(Vector3::from(direction)));
+        let pulls = pulls.transpose().map_err(of_scene)?;
+        let scene = Native::new(pair_of(squirmers)?, start, repulsion, pulls);
+        Ok(Self {
+            scene: scene.map_err(of_scene)?,
+            run: RunOptions::default(),
+            hydrodynamics: None,
+            origin: Origin::Parts { gravity },
+        })
+    }
+
     fn of_family(family: &Family, parameters: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let parameters: Vec<(String, f64)> = match parameters {
             Some(given) => (given.iter())
@@ -193,27 +214,11 @@ impl Scene {
             }
         };
         let positions = rows("positions", &positions, &[2, 3])?;
-        let start = [0, 1].map(|k| Pose {
-            position: positions[k],
-            orientation: orientations[k],
-        });
         let gravity = gravity
             .map(|given| given.exactly::<3>("gravity"))
             .transpose()?;
         let repulsion = repulsion.map(|Strength(repulsion)| repulsion);
-        let pulls = gravity.map(|direction| Gravity::new(Vector3::from(direction)));
-        let scene = Native::new(
-            pair_of(squirmers)?,
-            start,
-            repulsion,
-            pulls.transpose().map_err(of_scene)?,
-        );
-        Ok(Self {
-            scene: scene.map_err(of_scene)?,
-            run: RunOptions::default(),
-            hydrodynamics: None,
-            origin: Origin::Parts { gravity },
-        })
+        Self::of_parts(squirmers, (positions, orientations), repulsion, gravity)
     }
 
     /// A scene from the text of a scene file, with values for its parameters.
@@ -410,23 +415,9 @@ impl Scene {
             })
         };
         let orientations = [of(orientation0)?, of(orientation1)?];
-        let start = [0, 1].map(|k| Pose {
-            position: Vector3::from(positions[k]),
-            orientation: orientations[k],
-        });
         let repulsion = repulsion.map(|(kappa1, kappa2)| Repulsion::new(kappa1, kappa2));
-        let pulls = gravity.map(|direction| Gravity::new(Vector3::from(direction)));
-        let scene = Native::new(
-            pair_of(squirmers)?,
-            start,
-            repulsion.transpose().map_err(of_scene)?,
-            pulls.transpose().map_err(of_scene)?,
-        );
-        Ok(Self {
-            scene: scene.map_err(of_scene)?,
-            run: RunOptions::default(),
-            hydrodynamics: None,
-            origin: Origin::Parts { gravity },
-        })
+        let repulsion = repulsion.transpose().map_err(of_scene)?;
+        let positions = positions.map(Vector3::from);
+        Self::of_parts(squirmers, (positions, orientations), repulsion, gravity)
     }
 }

@@ -40,14 +40,13 @@ impl Scorecard {
     /// As JSON.
     #[must_use]
     pub fn judged(&self) -> Judged<'_> {
-        let card = self;
         Judged {
-            model: &card.name,
-            header: &card.header,
-            faultless: card.is_faultless(),
-            verdict: card.verdict(),
-            trusted_down_to: TRUST.iter().map(|&bound| card.trusted(bound)).collect(),
-            faults: (card.faults.iter())
+            model: &self.name,
+            header: &self.header,
+            faultless: self.is_faultless(),
+            verdict: self.verdict(),
+            trusted_down_to: TRUST.iter().map(|&bound| self.trusted(bound)).collect(),
+            faults: (self.faults.iter())
                 .map(|fault| JudgedFault {
                     kind: fault.kind.name(),
                     items: fault.items().iter().map(ToString::to_string).collect(),
@@ -57,7 +56,7 @@ impl Scorecard {
                     sentence: fault.sentence(),
                 })
                 .collect(),
-            rows: (card.rows().into_iter())
+            rows: (self.rows().into_iter())
                 .map(|row| JudgedRow {
                     measure: row.measure,
                     case: row.case,
