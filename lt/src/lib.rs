@@ -287,6 +287,52 @@ mod tests {
     }
 
     #[test]
+    fn an_asymptotic_form_claims_no_error_but_refuses_what_it_has_no_loads_for() {
+        let too_many = SceneError::TooManyModes {
+            modes: 9,
+            allowed: 8,
+        };
+        let models: [&dyn Hydrodynamics; 2] = [
+            &Lubrication::new(Form::Corrected),
+            &UnlikeLubrication::new(Form::Corrected, 2.0).unwrap(),
+        ];
+        for model in models {
+            let near = Gap::new(0.1).unwrap();
+            assert_eq!(model.error_estimate(near, LoadSet::all(8)), Ok(None));
+            let refused = model.error_estimate(near, LoadSet::all(9));
+            assert_eq!(refused, Err(too_many.clone()));
+            let smallest = model.description().range.smallest;
+            let nearer = Gap::new(smallest / 2.0).unwrap();
+            let refused = model.error_estimate(nearer, LoadSet::all(1));
+            let outside = SceneError::GapOutsideRange {
+                eps: nearer.eps(),
+                smallest,
+                largest: f64::INFINITY,
+            };
+            assert_eq!(refused, Err(outside));
+        }
+    }
+
+    #[test]
+    fn models_have_one_fingerprint_only_if_they_have_the_same_loads() {
+        let of = |form| Lubrication::new(form).fingerprint();
+        let of_unlike = |form, ratio| {
+            let model = UnlikeLubrication::new(form, ratio).unwrap();
+            model.fingerprint()
+        };
+        let different = [
+            of(Form::Published),
+            of(Form::Corrected),
+            of_unlike(Form::Published, 2.0),
+            of_unlike(Form::Corrected, 2.0),
+            of_unlike(Form::Corrected, 2.0f64.next_up()),
+        ];
+        for (k, one) in different.iter().enumerate() {
+            assert!(!different[..k].contains(one), "{one}");
+        }
+    }
+
+    #[test]
     fn nine_modes_are_refused() {
         let model = Lubrication::new(Form::Corrected);
         let refused = model.loads(Gap::new(0.1).unwrap(), LoadSet::all(9));
