@@ -153,8 +153,15 @@ pub struct InstructionRow {
 /// # Errors
 /// [`CompareError::Rows`] if the embedded file is not a table of counts.
 pub fn counted_instructions() -> Result<Vec<InstructionRow>, CompareError> {
-    let file = fixtures::INSTRUCTIONS;
-    let mut reader = (csv::ReaderBuilder::new().comment(Some(b'#'))).from_reader(file.as_bytes());
+    read_instructions(fixtures::INSTRUCTIONS)
+}
+
+/// The counts in a table that `cargo bench -p squirmers-compare --bench instructions` prints.
+///
+/// # Errors
+/// [`CompareError::Rows`] if the text is not a table of counts.
+pub fn read_instructions(table: &str) -> Result<Vec<InstructionRow>, CompareError> {
+    let mut reader = (csv::ReaderBuilder::new().comment(Some(b'#'))).from_reader(table.as_bytes());
     let rows = reader.deserialize().collect::<Result<_, _>>()?;
     Ok(rows)
 }

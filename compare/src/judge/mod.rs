@@ -31,7 +31,9 @@ pub use collisions::{ANGLES_AT, BETAS, BoundComparison, CaseScore, Collisions, P
 pub use contact::Contact;
 pub use curves::{ErrorAt, Group};
 pub use faults::{Affected, FAULT, Fault, Kind};
-pub use history::{HistoryRow, history_rows};
+pub use history::{
+    HistoryRow, Measure, history_rows, instruction_rows, outside_bands, read_history,
+};
 pub use json::Judged;
 pub use laws::{Decay, Law};
 pub use leaderboard::{LeaderRow, OWN_GAPS, is_public, leader_rows, leaderboard, submission_of};
