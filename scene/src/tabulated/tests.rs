@@ -38,6 +38,7 @@ impl Hydrodynamics for Made {
         loads.ya += SelfOther::new(0.2 / (r * r) + jump, -0.7 / r);
         loads.yb += SelfOther::new(-0.1 / (r * r), 0.3 / (r * r));
         for (n, mode) in (1u8..).zip(loads.modes_mut()) {
+            mode.xf.sum += f64::from(n) * fade;
             mode.yt.sum += f64::from(n) * fade * gap.log_inverse();
             mode.yf.sum += f64::from(n) * fade;
         }
