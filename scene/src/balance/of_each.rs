@@ -182,8 +182,7 @@ impl Cause {
 #[must_use]
 pub fn of_each(gap: Gap, ratio: f64, loads: &[ActiveLoads; 2], set: MobilitySet) -> MobilityOfEach {
     let axial = Axial::new(gap, loads.each_ref().map(|of| of.pair.xa), ratio);
-    let transverse = (set.loads.transverse.any() || set.loads.swirl > 0)
-        .then(|| Transverse::new(gap, loads, ratio));
+    let transverse = (set.loads.transverse.any()).then(|| Transverse::new(gap, loads, ratio));
     let about = set
         .loads
         .twist
