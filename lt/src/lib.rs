@@ -202,9 +202,9 @@ impl Hydrodynamics for Lubrication {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::assert_relative_eq;
+    use approx::{assert_relative_eq, relative_eq};
 
-    /// DESIGN's list, scalar by scalar: isolated plus singular where `eps <= 1`.
+    /// The published list, scalar by scalar, with either axial squirming: isolated plus singular where `eps <= 1`.
     fn listed(name: &str, log: f64, eps: f64, k: f64) -> f64 {
         let squeeze = 1.0 / (4.0 * eps) + 9.0 / 40.0 * log;
         match name {
@@ -238,7 +238,10 @@ mod tests {
                 let loads = Lubrication::new(form).loads(gap, LoadSet::all(8)).unwrap();
                 for (name, value) in loads.named() {
                     let expected = listed(&name, -eps.ln(), eps, k);
-                    assert_relative_eq!(value, expected, max_relative = 4e-15, epsilon = 4e-15);
+                    assert!(
+                        relative_eq!(value, expected, max_relative = 4e-15, epsilon = 4e-15),
+                        "{name} at gap {eps} is {value}, not {expected}"
+                    );
                 }
             }
         }

@@ -260,7 +260,7 @@ mod tests {
     #[test]
     fn a_set_counts_what_its_scenes_read() {
         let count = |loads, torque| MobilitySet { loads, torque }.count();
-        // DESIGN of the tables: a planar pair reads 13 numbers, with gravity 17.
+        // A planar pair reads 13 numbers, with gravity 17.
         assert_eq!(count(LoadSet::planar(2), false), 13);
         assert_eq!(count(LoadSet::planar(2), true), 17);
         assert_eq!(count(LoadSet::planar(2).point_symmetric(), false), 7);
