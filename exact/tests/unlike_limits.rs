@@ -3,7 +3,7 @@
 mod common;
 
 use std::collections::HashMap;
-use std::sync::{LazyLock, Mutex};
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 use exact::{Exact, ExactError};
 use scene::{ActiveLoads, Gap, Hydrodynamics, LoadSet, SceneError};
@@ -21,8 +21,27 @@ fn model(ratio: f64) -> &'static Exact {
         .or_insert_with(|| Box::leak(Box::new(Exact::of_ratio(ratio).expect("a ratio"))))
 }
 
+/// The model of a ratio with its form near contact for sets with swirl. Tests that ask for it at the same time wait for one fit.
+fn fitted(ratio: f64) -> &'static Exact {
+    static FITS: Mutex<()> = Mutex::new(());
+    let model = model(ratio);
+    let _one_at_a_time = FITS.lock().unwrap_or_else(PoisonError::into_inner);
+    model
+        .interacting_loads_of_each(at(1e-6 * f64::min(ratio, 1.0)), SET)
+        .expect("a fit");
+    model
+}
+
 fn loads(ratio: f64, eps: f64) -> [ActiveLoads; 2] {
-    model(ratio)
+    let [smallest, _] = model(ratio).description().seams[..] else {
+        panic!("a smallest and a largest gap of the series")
+    };
+    let model = if eps < smallest {
+        fitted(ratio)
+    } else {
+        model(ratio)
+    };
+    model
         .interacting_loads_of_each(at(eps), SET)
         .expect("loads")
 }
@@ -38,15 +57,13 @@ fn distance(a: &ActiveLoads, b: &ActiveLoads) -> (f64, String) {
 
 #[test]
 fn a_pair_has_the_same_loads_whichever_of_its_spheres_is_called_the_first() {
-    for ratio in [0.01, 0.1, 0.4, 0.9] {
-        // In radii of the smaller sphere: near contact, series, far apart.
-        for (eps, tolerance) in [
-            (1e-6, 2e-9),
-            (0.01, 1e-10),
-            (1.0, 1e-10),
-            (30.0, 1e-10),
-            (2e4, 1e-10),
-        ] {
+    // In radii of the smaller sphere.
+    let limits = [(1e-6, 2e-9), (2e4, 1e-10)];
+    let series = [(0.01, 1e-10), (1.0, 1e-10), (30.0, 1e-10)];
+    // Forms take long to fit: the most unlike ratio, where errors come nearest the bound, and two others.
+    for (ratio, with_limits) in [(0.01, true), (0.1, true), (0.5, true), (0.9, false)] {
+        let limits = limits.iter().filter(|_| with_limits);
+        for &(eps, tolerance) in limits.chain(&series) {
             let [large, small] = loads(ratio, eps * ratio);
             let [other_small, other_large] = loads(1.0 / ratio, eps);
             for (a, b) in [(small, other_small), (large, other_large)] {
@@ -91,7 +108,7 @@ fn loads_of_one_sphere_by_motion_of_the_other_are_reciprocal() {
 
 #[test]
 fn the_first_swirl_mode_has_the_loads_of_rigid_rotation() {
-    for ratio in [0.01, 0.5, 3.0, 100.0] {
+    for ratio in [0.01, 0.5, 2.0, 100.0] {
         for eps in [1e-6, 0.01, 1.0, 1e5] {
             for of in loads(ratio, eps * f64::min(ratio, 1.0)) {
                 let swirl = of.swirl.modes()[0];
@@ -236,8 +253,8 @@ fn val_constants_at_contact_with_a_huge_sphere_are_those_of_a_wall() {
 
 #[test]
 fn limiting_forms_and_series_hand_over_without_a_jump_and_know_their_error() {
-    for ratio in [0.01, 0.5, 3.0, 10.0, 100.0] {
-        let model = model(ratio);
+    for ratio in [0.01, 0.5, 2.0, 10.0, 100.0] {
+        let model = fitted(ratio);
         let unlike = f64::max(ratio, 1.0 / ratio);
         let seams = model.description().seams.to_vec();
         for (seam, allowed) in seams.into_iter().zip([1e-9 * unlike, 1e-10]) {
@@ -267,17 +284,19 @@ fn limiting_forms_and_series_hand_over_without_a_jump_and_know_their_error() {
 
 #[test]
 fn rounding_of_the_series_near_contact_is_no_more_than_stated() {
-    for ratio in [0.01, 1.9, 10.0, 100.0] {
-        let model = model(ratio);
+    // Swirl is in the set for the sake of its form, which other tests use too.
+    let set = LoadSet::all(2).with_swirl(2);
+    for ratio in [0.01, 2.0, 10.0, 100.0] {
+        let model = fitted(ratio);
         for from in [1.01e-4, 1e-3] {
             let gaps =
                 (0..6).map(|k| at(from * f64::min(ratio, 1.0) * (1.0 + 0.23 * f64::from(k))));
             // Sums and differences too; the form averages the rounding of many gaps.
             let errors = gaps.map(|gap| {
-                let form = model.near_contact_loads(gap, LoadSet::all(2)).unwrap();
-                let series = model.series_loads(gap, LoadSet::all(2)).unwrap();
+                let form = model.near_contact_loads(gap, set).unwrap();
+                let series = model.series_loads(gap, set).unwrap();
                 let error = common::distance(&form, &series);
-                let stated = model.error_estimate(gap, LoadSet::all(2)).unwrap().unwrap();
+                let stated = model.error_estimate(gap, set).unwrap().unwrap();
                 println!("{ratio} {:e}: {error:.1e}, stated {stated:.1e}", gap.eps());
                 error / stated
             });
