@@ -35,7 +35,7 @@ const TURNED_OVER: f64 = -100.0;
 
 impl Turning {
     /// The same with down for up: what turns away from the one turns towards the other.
-    fn from_below(self) -> Self {
+    fn seen_from_below(self) -> Self {
         Self {
             up: -self.up,
             side: self.side,
@@ -100,7 +100,7 @@ impl Flight {
             cos_half: c,
             rate,
         } = if turning.rate * t < TURNED_OVER {
-            turning.from_below()
+            turning.seen_from_below()
         } else {
             *turning
         };
