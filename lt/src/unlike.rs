@@ -1,8 +1,8 @@
 //! Lubrication theory of spheres of unlike radii.
 
 use scene::{
-    ActiveLoads, Gap, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError, SwirlLoads,
-    singular,
+    ActiveLoads, Gap, Hydrodynamics, LoadSet, ModelDescription, PairLoads, RATIOS, SceneError,
+    SwirlLoads, singular,
 };
 
 use crate::{CUTOFF, Form, RANGE};
@@ -27,19 +27,26 @@ impl UnlikeLubrication {
     /// In the given form, for spheres whose radii are in the given `ratio`, that of sphere 2 over that of sphere 1.
     ///
     /// # Errors
-    /// [`SceneError::NotPositive`] for a ratio that is not a positive number.
+    /// [`SceneError::NotPositive`] for a ratio that is not a positive number, [`SceneError::Radius`] outside 0.01 to 100: powers of some
+    /// ratios are no numbers.
     pub fn new(form: Form, ratio: f64) -> Result<Self, SceneError> {
-        if ratio > 0.0 && ratio.is_finite() {
-            Ok(Self {
-                axial_squirming: form.axial_squirming(),
-                ratio,
-            })
-        } else {
-            Err(SceneError::NotPositive {
+        if !(ratio > 0.0 && ratio.is_finite()) {
+            return Err(SceneError::NotPositive {
                 what: "radius ratio",
                 value: ratio,
-            })
+            });
         }
+        if !RATIOS.contains(&ratio) {
+            return Err(SceneError::Radius {
+                radius: ratio,
+                smallest: *RATIOS.start(),
+                largest: *RATIOS.end(),
+            });
+        }
+        Ok(Self {
+            axial_squirming: form.axial_squirming(),
+            ratio,
+        })
     }
 }
 

@@ -218,3 +218,18 @@ fn a_model_of_other_radii_is_refused() {
     let huge = Squirmer::new(&[]).unwrap().with_radius(101.0);
     assert!(matches!(huge, Err(SceneError::Radius { .. })));
 }
+
+#[test]
+fn ratios_that_no_scene_has_are_refused() {
+    // Powers of them are no numbers: X11A was NaN.
+    for ratio in [7.45e181, 1e-200, 100.1, 0.0099] {
+        let refused = UnlikeLubrication::new(Form::Corrected, ratio);
+        assert!(
+            matches!(refused, Err(scene::SceneError::Radius { .. })),
+            "{ratio}: {refused:?}"
+        );
+    }
+    for ratio in [0.01, 100.0] {
+        assert!(UnlikeLubrication::new(Form::Corrected, ratio).is_ok());
+    }
+}

@@ -69,6 +69,19 @@ impl fmt::Display for Mistakes {
     }
 }
 
+/// A text with its control characters written out: a terminal would obey some of them, and a line would end at others.
+fn printable(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for letter in text.chars() {
+        if letter.is_control() {
+            shown.extend(letter.escape_default());
+        } else {
+            shown.push(letter);
+        }
+    }
+    shown
+}
+
 /// What to say of a name that is not among those that are known.
 pub(super) fn unknown(what: &str, name: &str, known: &[&str]) -> String {
     let nearest = (known.iter())
@@ -151,9 +164,9 @@ impl<'t> Notes<'t> {
         let mistake = Mistake {
             line: 1,
             column: 1,
-            key: key.to_owned(),
-            found,
-            allowed,
+            key: printable(key),
+            found: printable(&found),
+            allowed: printable(&allowed),
         };
         self.mistakes.push((span.start, mistake));
     }

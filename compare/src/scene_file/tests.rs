@@ -267,3 +267,18 @@ fn repulsion_must_have_died_out_at_the_cut_of_the_smaller_squirmer() {
     let weaker = "repulsion = { kappa1 = 0.1, kappa2 = 1000.0 }";
     assert!(SceneFile::parse(&scene.replace("repulsion = \"paper\"", weaker)).is_ok());
 }
+
+#[test]
+fn control_characters_are_written_out_in_mistakes() {
+    // In what is not TOML, in keys, in values, in names of expressions.
+    for text in [
+        "a = 1\n# \0\u{1b}[31m\n",
+        "\"a\\nb\u{9b}\" = 1",
+        "hydrodynamics = \"\u{7f}\u{85}\"",
+        "[parameters]\n\"a\\u001b\" = 1\nb = \"\u{90}\"",
+    ] {
+        for line in mistakes(text) {
+            assert!(!line.contains(char::is_control), "{line:?}");
+        }
+    }
+}

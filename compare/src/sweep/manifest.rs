@@ -12,10 +12,17 @@ use serde::{Deserialize, Serialize};
 
 use super::Share;
 use crate::output::OutputFolder;
+use crate::submission::shown;
 use crate::{CompareError, Model};
 
 /// Largest size of a manifest, in bytes.
 const LONGEST: u64 = 1 << 26;
+
+/// Longest piece of a manifest that a message shows, in bytes.
+const SHOWN: usize = 200;
+
+/// Length of a checksum in a manifest.
+const CHECKSUM: usize = 8;
 
 /// Gaps, in radii. The bits of the mobilities at these gaps identify a table.
 const GAPS: [f64; 4] = [0.02, 0.3, 1.5, 20.0];
@@ -199,6 +206,11 @@ impl Arithmetic {
     }
 }
 
+/// Why a file is not a manifest.
+fn no_manifest(reason: &str) -> String {
+    format!("it is no manifest: {reason}")
+}
+
 /// A checksum as manifests write it.
 pub(super) fn written(checksum: crc32fast::Hasher) -> String {
     format!("{:08x}", checksum.finalize())
@@ -290,16 +302,48 @@ impl Manifest {
         file.take(LONGEST)
             .read_to_string(&mut text)
             .map_err(|error| torn(error.to_string()))?;
-        let manifest: Self = serde_json::from_str(&text)
-            .map_err(|error| torn(format!("it is no manifest: {error}")))?;
+        // What the parser quotes of the file may have several lines.
+        let unread = |error: serde_json::Error| shown(&error.to_string(), SHOWN);
+        let manifest: Self =
+            serde_json::from_str(&text).map_err(|error| torn(no_manifest(&unread(error))))?;
         // A name from outside is no path.
         if !Self::ROWS.contains(&manifest.file.as_str()) {
             let known = Self::ROWS.join(" or ");
-            return Err(torn(format!(
-                "it is no manifest: its rows are in '{}', not in {known}",
-                manifest.file
-            )));
+            let file = shown(&manifest.file, SHOWN);
+            return Err(torn(no_manifest(&format!(
+                "its rows are in '{file}', not in {known}"
+            ))));
         }
+        manifest
+            .check()
+            .map_err(|reason| torn(no_manifest(&reason)))?;
         Ok(manifest)
+    }
+
+    /// Refuses numbers that no sweep writes: shares are listed, and counts are added up.
+    fn check(&self) -> Result<(), String> {
+        let Self {
+            share,
+            rows,
+            failed,
+            seconds,
+            checksum,
+            ..
+        } = self;
+        if !share.is_allowed() {
+            return Err(format!("there is no share {share}"));
+        }
+        if *failed > rows.len() {
+            return Err(format!("{failed} runs of {} rows failed", rows.len()));
+        }
+        if *seconds < 0.0 {
+            return Err(format!("it took {seconds} seconds"));
+        }
+        let is_digit = |digit: char| digit.is_ascii_hexdigit();
+        if checksum.len() != CHECKSUM || !checksum.chars().all(is_digit) {
+            let checksum = shown(checksum, SHOWN);
+            return Err(format!("'{checksum}' is no checksum"));
+        }
+        Ok(())
     }
 }

@@ -9,6 +9,9 @@ use super::{Arithmetic, Share};
 use crate::CompareError;
 use crate::output::OutputFolder;
 
+/// Most missing shares that a message lists.
+const LISTED: usize = 20;
+
 /// Summary of a merge.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Merged {
@@ -67,8 +70,11 @@ pub fn merge(folders: &[PathBuf], out: &OutputFolder) -> Result<Merged, CompareE
         bytes,
         checksum,
         arithmetic: arithmetic.clone(),
-        threads: shares.iter().map(|(_, manifest)| manifest.threads).sum(),
-        seconds: shares.iter().map(|(_, manifest)| manifest.seconds).sum(),
+        // Of sums that are no longer numbers there would be no manifest to read again.
+        threads: (shares.iter()).fold(0, |sum: usize, (_, of)| sum.saturating_add(of.threads)),
+        seconds: (shares.iter())
+            .fold(0.0, |sum: f64, (_, of)| sum + of.seconds)
+            .min(f64::MAX),
         ..first.clone()
     };
     out.write(Manifest::FILE, &whole.json()?)?;
@@ -136,12 +142,20 @@ fn in_order(folders: &[PathBuf]) -> Result<Vec<(&PathBuf, Manifest)>, CompareErr
     }
     let there: Vec<usize> = shares.iter().map(|(_, m)| m.share.number).collect();
     let of = of_first.share.of;
-    let missing: Vec<String> = (1..=of)
-        .filter(|number| !there.contains(number))
-        .map(|number| format!("{number}/{of}"))
-        .collect();
-    if !missing.is_empty() {
-        let reason = format!("shares of its sweep are missing: {}", missing.join(", "));
+    let missing = of - there.len();
+    if missing > 0 {
+        // They are in order.
+        let listed: Vec<String> = (1..=of)
+            .filter(|number| there.binary_search(number).is_err())
+            .take(LISTED)
+            .map(|number| format!("{number}/{of}"))
+            .collect();
+        let more = match missing.saturating_sub(LISTED) {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        let listed = listed.join(", ");
+        let reason = format!("shares of its sweep are missing: {listed}{more}");
         return Err(refused(first, reason));
     }
     let mut next = 0;
@@ -203,6 +217,7 @@ fn copy(
         ));
     }
     let (mut bytes, mut rows) = (line.len() as u64, 0);
+    let mut ended = line.ends_with('\n');
     let mut buffer = vec![0; 1 << 20];
     loop {
         let read = file.read(&mut buffer).map_err(unread)?;
@@ -212,6 +227,7 @@ fn copy(
         let part = &buffer[..read];
         checksum.update(part);
         bytes += read as u64;
+        ended = part.ends_with(b"\n");
         rows += part.iter().filter(|byte| **byte == b'\n').count();
         write(to, part)?;
     }
@@ -224,6 +240,10 @@ fn copy(
             manifest.bytes,
             manifest.checksum
         )));
+    }
+    if !ended {
+        // The next share's first row would be its end.
+        return Err(torn("its last line has no end".to_owned()));
     }
     Ok(())
 }
@@ -338,6 +358,87 @@ mod tests {
         assert!(reason.contains("share 2/2 is also in"), "{reason}");
         let name = shares[2].path().display().to_string();
         assert!(reason.contains(&name), "{reason}");
+    }
+
+    #[test]
+    fn of_very_many_missing_shares_some_are_listed() {
+        let reason = refusal(&[share(1, 1, |m| m.share.of = 100_000)]);
+        assert!(
+            reason.contains("2/100000, ") && reason.ends_with(" and 99979 more"),
+            "{reason}"
+        );
+        assert!(reason.len() < 500, "{reason}");
+    }
+
+    #[test]
+    fn numbers_that_no_sweep_writes_are_refused_in_one_line() {
+        type Change = fn(&mut Manifest);
+        let changes: [(&str, Change); 8] = [
+            ("no share 0/1", |m| m.share.number = 0),
+            ("no share 1/0", |m| m.share.of = 0),
+            // Each of them would be looked for.
+            ("no share 1/18446744073709551615", |m| {
+                m.share.of = usize::MAX
+            }),
+            ("18446744073709551615 runs of 10 rows failed", |m| {
+                m.failed = usize::MAX
+            }),
+            ("it took -1 seconds", |m| m.seconds = -1.0),
+            ("'\\n' is no checksum", |m| m.checksum = "\n".to_owned()),
+            ("in '\\n', not in", |m| m.file = "\n".to_owned()),
+            // JSON has no infinity.
+            ("no manifest: invalid type: null", |m| {
+                m.seconds = f64::INFINITY
+            }),
+        ];
+        for (expected, change) in changes {
+            let reason = refusal(&[share(1, 1, change)]);
+            assert!(reason.contains(expected), "{reason}");
+            assert_eq!(reason.lines().count(), 1, "{reason:?}");
+        }
+        // A key of several lines, as the parser quotes it.
+        let whole = share(1, 1, |_| {});
+        let path = whole.path().join(Manifest::FILE);
+        let text = std::fs::read_to_string(&path).unwrap();
+        std::fs::write(&path, text.replacen("threads", "a\\nb", 1)).unwrap();
+        let reason = refusal(&[whole]);
+        assert_eq!(reason.lines().count(), 1, "{reason:?}");
+        assert!(reason.contains("unknown field"), "{reason}");
+    }
+
+    #[test]
+    fn counts_whose_sum_is_no_number_leave_a_manifest_that_can_be_read() {
+        let shares = [1, 2].map(|number| {
+            share(number, 2, |m| {
+                (m.threads, m.seconds) = (usize::MAX, f64::MAX);
+            })
+        });
+        let folder = tempfile::tempdir().unwrap();
+        let out = OutputFolder::open(folder.path()).unwrap();
+        merge(&shares.each_ref().map(|s| s.path().to_owned()), &out).unwrap();
+        let whole = Manifest::read(folder.path()).unwrap();
+        assert_eq!(whole.threads, usize::MAX);
+        assert!(whole.seconds.is_finite());
+    }
+
+    #[test]
+    fn rows_of_two_shares_are_never_joined_into_one() {
+        let shares = [1, 2].map(|number| {
+            share(number, 2, |manifest| {
+                manifest.rows = 0..0;
+                manifest.all_rows = 0;
+            })
+        });
+        for share in &shares {
+            let rows = share.path().join(ROWS);
+            std::fs::write(&rows, "x,outcome\n1.5,scattered").unwrap();
+            let mut manifest = Manifest::read(share.path()).unwrap();
+            (manifest.bytes, manifest.checksum) = measured(&rows).unwrap();
+            let text = manifest.json().unwrap();
+            std::fs::write(share.path().join(Manifest::FILE), text).unwrap();
+        }
+        let reason = refusal(&shares);
+        assert!(reason.contains("has no end"), "{reason}");
     }
 
     #[test]

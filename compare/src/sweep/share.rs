@@ -22,6 +22,11 @@ impl Share {
     /// The share that is the whole sweep.
     pub const ALL: Self = Self { number: 1, of: 1 };
 
+    /// Whether there is such a share.
+    pub(super) fn is_allowed(self) -> bool {
+        (1..=self.of).contains(&self.number) && self.of <= MOST
+    }
+
     /// The range of units of this share, for a sweep of `all` units.
     #[must_use]
     pub fn units(self, all: usize) -> Range<usize> {
@@ -45,14 +50,12 @@ impl FromStr for Share {
             let [number, of] = [number, of].map(|part| part.trim().parse::<usize>().ok());
             Some((number?, of?))
         });
-        match numbers {
-            Some((number, of)) if (1..=of).contains(&number) && of <= MOST => {
-                Ok(Self { number, of })
-            }
-            _ => Err(format!(
+        let share = numbers.map(|(number, of)| Self { number, of });
+        share.filter(|share| share.is_allowed()).ok_or_else(|| {
+            format!(
                 "'{text}' is not a share: give m/n, m from 1 to n and n at most {MOST}, such as 2/7"
-            )),
-        }
+            )
+        })
     }
 }
 

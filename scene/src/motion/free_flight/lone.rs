@@ -30,6 +30,22 @@ struct Turning {
     rate: f64,
 }
 
+/// `k t` below which a squirmer that gravity turns over is seen from below: `exp(-k t)` would leave the range of numbers.
+const TURNED_OVER: f64 = -100.0;
+
+impl Turning {
+    /// The same with down for up: what turns away from the one turns towards the other.
+    fn seen_from_below(self) -> Self {
+        Self {
+            up: -self.up,
+            side: self.side,
+            sin_half: self.cos_half,
+            cos_half: self.sin_half,
+            rate: -self.rate,
+        }
+    }
+}
+
 impl Flight {
     pub(super) fn new(
         squirmer: &Squirmer,
@@ -43,8 +59,9 @@ impl Flight {
             let up = -gravity.direction();
             let level = orientation - up * orientation.dot(&up);
             let sine = level.norm();
-            // Exactly up or down: nothing turns it.
-            (rate != 0.0 && sine > 0.0).then(|| {
+            // Exactly up or down: nothing turns it. Nor does it turn within any time if it would get farther than numbers reach before.
+            let turns = rate != 0.0 && (squirmer.swimming_speed() / rate).is_finite();
+            (turns && sine > 0.0).then(|| {
                 let half = 0.5 * sine.atan2(orientation.dot(&up));
                 Turning {
                     up,
@@ -82,7 +99,11 @@ impl Flight {
             sin_half: s,
             cos_half: c,
             rate,
-        } = *turning;
+        } = if turning.rate * t < TURNED_OVER {
+            turning.seen_from_below()
+        } else {
+            *turning
+        };
         let kt = rate * t;
         let lost = -(-kt).exp_m1(); // 1 - exp(-kt)
         let kept = 1.0 - lost;
@@ -91,7 +112,13 @@ impl Flight {
         let rise = if kt < 1.0 {
             (c * c * kt.exp_m1() - s * s * lost).ln_1p()
         } else {
-            kt + (c * c + s * s * kept * kept).ln()
+            let square = c * c + s * s * kept * kept;
+            // It began so near down that the square is lost.
+            kt + if square < f64::MIN_POSITIVE {
+                2.0 * c.hypot(s * kept).ln()
+            } else {
+                square.ln()
+            }
         };
         let angle = 2.0 * (s * kept).atan2(c);
         let scale = self.speed / rate;
@@ -160,6 +187,44 @@ mod tests {
             p += (k1 + (k2 + k3) * 2.0 + k4) * (h / 6.0);
         }
         (x, p)
+    }
+
+    #[test]
+    fn a_top_heavy_squirmer_swims_down_however_long_it_has() {
+        // By the rate -50 for 200 units of time: exp(10000) is no number.
+        let heavy = |g_bh: f64| {
+            let squirmer = Squirmer::with_beta(1.0, 1.0).and_then(|s| s.bottom_heavy(g_bh));
+            let p = Vector3::new(1.0, 0.0, 0.0);
+            let squirmer = squirmer.unwrap();
+            Flight::new(&squirmer, Vector3::zeros(), p, Some(Gravity::DOWN))
+        };
+        let g_bh = -50.0 * 8.0 * std::f64::consts::PI;
+        let (x, p) = heavy(g_bh).at(200.0);
+        // A quarter of a turn, and what the turn takes: ln 2/k.
+        let expected = Vector3::new(FRAC_PI_2 / 50.0, 2.0_f64.ln() / 50.0 - 200.0, 0.0);
+        assert_relative_eq!(x, expected, epsilon = 1e-12);
+        assert_relative_eq!(p, Vector3::new(0.0, -1.0, 0.0), epsilon = 1e-15);
+        // Seen from below it is where it is seen from above.
+        let flight = heavy(g_bh);
+        let [before, after] =
+            [1.0 - 1e-12, 1.0 + 1e-12].map(|s| flight.at(s * -TURNED_OVER / 50.0));
+        assert_relative_eq!(before.0, after.0, epsilon = 1e-10);
+        assert_relative_eq!(before.1, after.1, epsilon = 1e-14);
+        // And upside down it is the bottom-heavy one.
+        let (y, q) = heavy(-g_bh).at(200.0);
+        assert_relative_eq!(x, Vector3::new(y.x, -y.y, y.z), epsilon = 1e-12);
+        assert_relative_eq!(p, Vector3::new(q.x, -q.y, q.z), epsilon = 1e-15);
+    }
+
+    #[test]
+    fn flight_under_gravity_that_hardly_acts_is_straight() {
+        for g_bh in [1e-310, -1e-310, 5e-324] {
+            let squirmer = Squirmer::with_beta(1.0, 1.0).and_then(|s| s.bottom_heavy(g_bh));
+            let p = Vector3::new(1.0, 0.0, 0.0);
+            let squirmer = squirmer.unwrap();
+            let flight = Flight::new(&squirmer, Vector3::zeros(), p, Some(Gravity::DOWN));
+            assert_eq!(flight.at(3.0), (p * 3.0, p), "{g_bh}");
+        }
     }
 
     #[test]

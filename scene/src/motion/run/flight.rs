@@ -1,7 +1,9 @@
 //! Free flight from one contact to the next, in one jump.
 
 use super::Runner;
+use crate::frame::Configuration;
 use crate::motion::free_flight::PairFlight;
+use crate::squirmer::finite;
 use crate::{Gap, SceneError};
 
 /// How a free flight ended.
@@ -38,6 +40,15 @@ impl<const N: usize> Runner<'_, '_, N> {
         if contact != Some(0.0) {
             self.now = flown(duration);
         }
+        // Speeds may take a pair farther than numbers reach: that is no outcome.
+        let Configuration { midpoint, line, .. } = self.now;
+        for coordinate in midpoint.iter().chain(line.iter()) {
+            finite("position after a free flight", *coordinate)?;
+        }
+        finite(
+            "logarithm of the gap after a free flight",
+            self.now.gap.ln(),
+        )?;
         self.t = end;
         self.watch.look_at(self.t, &self.now);
         Ok(if contact.is_some() {
