@@ -80,9 +80,8 @@ fuzz_target!(|input: Input| {
         (Ok(model), Ok(swapped)) => {
             let loads = of_each(&model, eps, set);
             let other = of_each(&swapped, eps / ratio, set);
-            // Where the ratio, its inverse and the gap keep their digits.
-            if (1e-2..=1e2).contains(&ratio)
-                && (1e-300..1e300).contains(&eps)
+            // Where the gap keeps its digits.
+            if (1e-300..1e300).contains(&eps)
                 && let (Some([one, two]), Some([second, first])) = (loads, other)
             {
                 same(&one, &first, 1e-11);

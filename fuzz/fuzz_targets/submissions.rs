@@ -3,9 +3,17 @@
 #![no_main]
 
 use compare::submission::{Submission, SubmittedModel};
-use fuzz::{finite, one_line};
+use fuzz::finite;
 use libfuzzer_sys::fuzz_target;
 use scene::{Gap, Hydrodynamics, LoadSet};
+
+/// Longest message, in bytes: shorter than those of scene files.
+const LONGEST: usize = 400;
+
+fn one_line(error: &impl std::fmt::Display) {
+    fuzz::one_line(error);
+    assert!(error.to_string().len() < LONGEST, "{error}");
+}
 
 fuzz_target!(|text: &str| {
     let submission = match Submission::parse(text) {
@@ -17,6 +25,8 @@ fuzz_target!(|text: &str| {
     assert!(answers.windows(2).all(rise), "gaps do not rise");
     for answer in answers {
         let calibrated = answer.values.calibrated(submission.header());
+        let [given, left] = [&answer.values, &calibrated].map(|values| values.iter().count());
+        assert_eq!(given, left, "calibration loses values");
         let all = answer.values.iter().chain(answer.errors.iter());
         for (quantity, value) in all.chain(calibrated.iter()) {
             assert!(value.is_finite(), "{quantity} = {value}");

@@ -1,8 +1,8 @@
 //! Lubrication theory of spheres of unlike radii.
 
 use scene::{
-    ActiveLoads, Gap, Hydrodynamics, LoadSet, ModelDescription, PairLoads, RATIOS, SceneError,
-    SwirlLoads, singular,
+    ActiveLoads, Gap, Hydrodynamics, LoadSet, ModelDescription, PairLoads, SceneError, SwirlLoads,
+    checked_ratio, singular,
 };
 
 use crate::{CUTOFF, Form, RANGE};
@@ -36,16 +36,9 @@ impl UnlikeLubrication {
                 value: ratio,
             });
         }
-        if !RATIOS.contains(&ratio) {
-            return Err(SceneError::Radius {
-                radius: ratio,
-                smallest: *RATIOS.start(),
-                largest: *RATIOS.end(),
-            });
-        }
         Ok(Self {
             axial_squirming: form.axial_squirming(),
-            ratio,
+            ratio: checked_ratio(ratio)?,
         })
     }
 }

@@ -55,7 +55,7 @@ pub use motion::{
     run_observed, run_plan, run_with_tangents, run_with_tangents_by_ratio, turned_to_infinity,
 };
 pub use plan::{NeededLoads, Plan, PlanRow, State, SymmetryClass};
-pub use ratio::{RATIOS, are_unlike};
+pub use ratio::{RATIOS, are_unlike, checked_ratio};
 pub use scene::{Orientation, Pose, Scene};
 pub use squirmer::Squirmer;
 pub use swirl::{SwirlLoads, SwirlModeLoads};

@@ -2,8 +2,26 @@
 
 use std::ops::RangeInclusive;
 
+use crate::SceneError;
+
 /// The ratios that models and scenes allow.
 pub const RATIOS: RangeInclusive<f64> = 0.01..=100.0;
+
+/// The ratio, or a radius in radii of the first squirmer, if it is one of [`RATIOS`].
+///
+/// # Errors
+/// [`SceneError::Radius`].
+pub fn checked_ratio(ratio: f64) -> Result<f64, SceneError> {
+    if RATIOS.contains(&ratio) {
+        Ok(ratio)
+    } else {
+        Err(SceneError::Radius {
+            radius: ratio,
+            smallest: *RATIOS.start(),
+            largest: *RATIOS.end(),
+        })
+    }
+}
 
 /// Whether two spheres are unlike. Equal means exactly equal: the models of equal spheres are others, with fewer loads.
 ///

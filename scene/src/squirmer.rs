@@ -1,6 +1,6 @@
 //! A squirmer: a sphere with tangential surface slip.
 
-use crate::{MAX_MODES, RATIOS, SceneError};
+use crate::{MAX_MODES, SceneError, checked_ratio};
 
 /// A squirmer's radius, slip modes, squirming and swirl, and bottom-heaviness.
 ///
@@ -85,15 +85,8 @@ impl Squirmer {
     /// # Ok::<(), scene::SceneError>(())
     /// ```
     pub fn with_radius(self, radius: f64) -> Result<Self, SceneError> {
-        if RATIOS.contains(&radius) {
-            Ok(Self { radius, ..self }.with_gravity_torque())
-        } else {
-            Err(SceneError::Radius {
-                radius,
-                smallest: *RATIOS.start(),
-                largest: *RATIOS.end(),
-            })
-        }
+        let radius = checked_ratio(radius)?;
+        Ok(Self { radius, ..self }.with_gravity_torque())
     }
 
     /// The same squirmer with bottom-heaviness `G_bh = 4 pi rho g a h/(3 mu V_s)`, `a` its own radius.
