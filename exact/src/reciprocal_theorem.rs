@@ -19,15 +19,12 @@ fn dot(a: Velocity, b: Velocity) -> f64 {
     a.axial * b.axial + a.radial * b.radial + a.azimuthal * b.azimuthal
 }
 
-/// `∫ integrand dmu` over the sphere.
-fn integral(geometry: Geometry, integrand: impl Fn(&SurfacePoint, f64) -> f64) -> f64 {
-    GaussLegendre::new((geometry.degree + 20).try_into().unwrap())
-        .iter()
-        .map(|(mu, weight)| {
-            let point = SurfacePoint::new(geometry, *mu);
-            weight * integrand(&point, geometry.cosh - mu)
-        })
-        .sum()
+/// Points of the sphere and their weights in `∫ dmu`.
+fn quadrature(geometry: Geometry) -> Vec<(SurfacePoint, f64)> {
+    let rule = GaussLegendre::new((geometry.degree + 20).try_into().unwrap());
+    let rule = rule.iter();
+    rule.map(|(mu, weight)| (SurfacePoint::new(geometry, *mu), *weight))
+        .collect()
 }
 
 fn assert_reciprocal(name: &str, eps: f64, direct: f64, by_traction: f64, tolerance: f64) {
@@ -42,26 +39,40 @@ fn check(eps: f64, modes: usize, tolerance: f64) {
     let set = LoadSet::all(modes).with_swirl(modes);
     let geometry = Geometry::new(eps, modes, 1.0).unwrap();
     let c = geometry.sinh;
+    let points = quadrature(geometry);
+    // `∫ integrand dmu` of what depends on the point, `cosh(alpha) - mu` and the slope of a rigid flow there.
+    let integral = |slopes: &[Velocity],
+                    integrand: &dyn Fn(&SurfacePoint, f64, Velocity) -> f64| {
+        let values = points.iter().zip(slopes);
+        let values = values.map(|((point, weight), slope)| {
+            weight * integrand(point, geometry.cosh - point.mu, *slope)
+        });
+        values.sum::<f64>()
+    };
+    let slopes = |flow: &dyn Fn(&SurfacePoint) -> (Velocity, Velocity)| -> Vec<Velocity> {
+        points.iter().map(|(point, _)| flow(point).1).collect()
+    };
     for parity in [Parity::Even, Parity::Odd] {
         let axial = Axial::solve(geometry, parity, modes).unwrap();
-        let transverse = Transverse::solve(geometry, parity, set).unwrap();
+        let along = slopes(&|point| point.axial_flow(&axial, 0));
         for k in 1..=modes {
-            let force = integral(geometry, |point, s| {
-                let slope = point.axial_flow(&axial, 0).1;
+            let force = integral(&along, &|point, s, slope| {
                 -2.0 * c * dot(point.axial_boundary(k), slope) / s
             });
             assert_reciprocal("XF", eps, axial.force(k), force, tolerance);
         }
+        let transverse = Transverse::solve(geometry, parity, set).unwrap();
+        let [across, turning] = [TRANSLATION, ROTATION]
+            .map(|motion| slopes(&|point| point.transverse_flow(&transverse, motion)));
+        let swirl = transverse.swirl(1);
         for case in ROTATION..=ROTATION + 2 * modes {
-            let force = integral(geometry, |point, s| {
-                let slope = point.transverse_flow(&transverse, TRANSLATION).1;
-                -c * dot(point.transverse_boundary(case, transverse.swirl(1)), slope) / s
+            let force = integral(&across, &|point, s, slope| {
+                -c * dot(point.transverse_boundary(case, swirl), slope) / s
             });
             assert_reciprocal("YF", eps, transverse.force(case), force, tolerance);
-            let torque = integral(geometry, |point, s| {
-                let slope = point.transverse_flow(&transverse, ROTATION).1;
-                let rigid = point.transverse_boundary(ROTATION, transverse.swirl(1));
-                let slip = point.transverse_boundary(case, transverse.swirl(1));
+            let torque = integral(&turning, &|point, s, slope| {
+                let rigid = point.transverse_boundary(ROTATION, swirl);
+                let slip = point.transverse_boundary(case, swirl);
                 -c * (dot(slip, slope) + c * dot(slip, rigid) / s) / s
             });
             assert_reciprocal("YT", eps, transverse.torque(case), torque, tolerance);

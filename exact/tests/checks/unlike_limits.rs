@@ -1,36 +1,9 @@
 //! Spheres of unlike radii: what is the same pair, what holds far apart and at contact, and a sphere beside a wall.
 
-mod common;
-
-use std::collections::HashMap;
-use std::sync::{LazyLock, Mutex, PoisonError};
-
 use exact::{Exact, ExactError};
 use scene::{ActiveLoads, Gap, Hydrodynamics, LoadSet, SceneError};
 
-use common::at;
-
-const SET: LoadSet = LoadSet::all(8).with_swirl(8);
-
-/// The model of a ratio, its limiting forms fitted once for all tests.
-fn model(ratio: f64) -> &'static Exact {
-    static MODELS: LazyLock<Mutex<HashMap<u64, &'static Exact>>> = LazyLock::new(Mutex::default);
-    let mut models = MODELS.lock().expect("no test panics here");
-    models
-        .entry(ratio.to_bits())
-        .or_insert_with(|| Box::leak(Box::new(Exact::of_ratio(ratio).expect("a ratio"))))
-}
-
-/// The model of a ratio with its form near contact for sets with swirl. Tests that ask for it at the same time wait for one fit.
-fn fitted(ratio: f64) -> &'static Exact {
-    static FITS: Mutex<()> = Mutex::new(());
-    let model = model(ratio);
-    let _one_at_a_time = FITS.lock().unwrap_or_else(PoisonError::into_inner);
-    model
-        .interacting_loads_of_each(at(1e-6 * f64::min(ratio, 1.0)), SET)
-        .expect("a fit");
-    model
-}
+use crate::common::{self, EVERYTHING as SET, at, fitted, model};
 
 fn loads(ratio: f64, eps: f64) -> [ActiveLoads; 2] {
     let [smallest, _] = model(ratio).description().seams[..] else {
@@ -60,8 +33,8 @@ fn a_pair_has_the_same_loads_whichever_of_its_spheres_is_called_the_first() {
     // In radii of the smaller sphere.
     let limits = [(1e-6, 2e-9), (2e4, 1e-10)];
     let series = [(0.01, 1e-10), (1.0, 1e-10), (30.0, 1e-10)];
-    // Forms take long to fit: the most unlike ratio, where errors come nearest the bound, and two others.
-    for (ratio, with_limits) in [(0.01, true), (0.1, true), (0.5, true), (0.9, false)] {
+    // Forms take long to fit: the most unlike ratio, where errors come nearest the bound, and another one.
+    for (ratio, with_limits) in [(0.01, true), (0.1, false), (0.5, true), (0.9, false)] {
         let limits = limits.iter().filter(|_| with_limits);
         for &(eps, tolerance) in limits.chain(&series) {
             let [large, small] = loads(ratio, eps * ratio);
@@ -241,8 +214,9 @@ fn val_constants_at_contact_with_a_huge_sphere_are_those_of_a_wall() {
     // (2/15) L - 0.2573 per 6 pi and torque (2/5) L + 0.3709 by M. D. A. Cooley & M. E. O'Neill, J. Inst. Maths Applics 4 (1968)
     // 163. Goldman, Cox & Brenner (1967) have 0.9588, 0.2526 and 0.3817 from tables at larger gaps.
     let constant = |ratio: f64| {
-        let model = model(ratio);
-        model.contact_constants(LoadSet::all(0)).expect("a fit")
+        // Of the largest ratio other tests have the form with swirl.
+        let set = if ratio < 100.0 { LoadSet::all(0) } else { SET };
+        model(ratio).contact_constants(set).expect("a fit")
     };
     assert_tends_to("drag", 0.9543, 1e-4, |ratio| constant(ratio).ya.own());
     assert_tends_to("force", 1.5 * 0.2573, 1e-4, |ratio| {
@@ -253,7 +227,7 @@ fn val_constants_at_contact_with_a_huge_sphere_are_those_of_a_wall() {
 
 #[test]
 fn limiting_forms_and_series_hand_over_without_a_jump_and_know_their_error() {
-    for ratio in [0.01, 0.5, 2.0, 10.0, 100.0] {
+    for ratio in [0.01, 0.5, 2.0, 100.0] {
         let model = fitted(ratio);
         let unlike = f64::max(ratio, 1.0 / ratio);
         let seams = model.description().seams.to_vec();
@@ -286,11 +260,11 @@ fn limiting_forms_and_series_hand_over_without_a_jump_and_know_their_error() {
 fn rounding_of_the_series_near_contact_is_no_more_than_stated() {
     // Swirl is in the set for the sake of its form, which other tests use too.
     let set = LoadSet::all(2).with_swirl(2);
-    for ratio in [0.01, 2.0, 10.0, 100.0] {
+    for ratio in [2.0, 100.0] {
         let model = fitted(ratio);
         for from in [1.01e-4, 1e-3] {
             let gaps =
-                (0..6).map(|k| at(from * f64::min(ratio, 1.0) * (1.0 + 0.23 * f64::from(k))));
+                (0..4).map(|k| at(from * f64::min(ratio, 1.0) * (1.0 + 0.35 * f64::from(k))));
             // Sums and differences too; the form averages the rounding of many gaps.
             let errors = gaps.map(|gap| {
                 let form = model.near_contact_loads(gap, set).unwrap();

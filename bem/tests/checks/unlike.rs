@@ -1,7 +1,5 @@
 //! Pairs of unlike radii: invariants, far-field laws, and agreement with `exact`.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic, its helpers too")]
-
 use bem::{Bem, BemError, Estimates};
 use exact::Exact;
 use scene::{

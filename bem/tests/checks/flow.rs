@@ -1,12 +1,8 @@
 //! The flow: against singularities within the spheres, lone spheres, and the equations themselves.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic, its helpers too")]
-
-mod moving;
-
+use crate::moving::{configuration, pair};
 use approx::assert_relative_eq;
 use bem::{Bem, Layers};
-use moving::{configuration, pair};
 use nalgebra::{Matrix3, Vector3};
 use scene::{Configuration, Fluid, SceneError, Squirmer};
 

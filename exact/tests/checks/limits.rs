@@ -1,13 +1,9 @@
 //! What holds at contact, far apart, and for pairs that move as one.
 
-mod common;
-
-use std::sync::LazyLock;
-
 use exact::{Exact, SERIES_FROM, SERIES_TO};
 use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, SceneError};
 
-use common::{at, distance};
+use crate::common::{EQUAL, at, distance};
 
 /// Constants next to the logarithms at contact, self and other, and the unit of their last digit
 /// (some are cut off, not rounded): by multipole collocation about both centres and extrapolation.
@@ -36,16 +32,9 @@ const CONTACT_CONSTANTS: [(&str, f64, f64); 22] = [
     ("YT2_2", 1.470, 1e-3),
 ];
 
-/// One model for all tests, its near-contact form fitted once.
-static EXACT: LazyLock<Exact> = LazyLock::new(|| {
-    let exact = Exact::new();
-    exact.contact_constants(LoadSet::all(0)).expect("a fit");
-    exact
-});
-
 #[test]
 fn val_contact_constants_are_those_of_multipole_collocation() {
-    let constants = EXACT.contact_constants(LoadSet::all(2)).unwrap();
+    let constants = EQUAL.contact_constants(LoadSet::all(2)).unwrap();
     for ((name, own), (expected_name, expected, digit)) in
         constants.named().into_iter().zip(CONTACT_CONSTANTS)
     {
@@ -58,20 +47,20 @@ fn val_contact_constants_are_those_of_multipole_collocation() {
 #[test]
 fn touching_spheres_that_fall_along_their_centre_line_have_a_drag_of_0_645141() {
     // Cooley & O'Neill, Mathematika 16 (1969) 37: 0.645 14.
-    let constants = EXACT.contact_constants(LoadSet::all(0)).unwrap();
+    let constants = EQUAL.contact_constants(LoadSet::all(0)).unwrap();
     assert!((constants.xa.sum - 0.645_141).abs() < 1e-6);
 }
 
 #[test]
 fn touching_spheres_that_twist_oppositely_have_a_torque_of_zeta_of_three() {
-    let constants = EXACT.contact_constants(LoadSet::all(0)).unwrap();
+    let constants = EQUAL.contact_constants(LoadSet::all(0)).unwrap();
     assert!((constants.xc.difference - 1.202_056_903_159_594).abs() < 1e-10);
     assert!((constants.xc.sum - 0.75 * 1.202_056_903_159_594).abs() < 1e-10);
 }
 
 #[test]
 fn slip_loads_grow_with_the_logarithm_of_the_gap_as_3_1_and_8_and_2_fifths_in_every_mode() {
-    let (slopes, swirl) = EXACT.log_slopes(LoadSet::all(3).with_swirl(3)).unwrap();
+    let (slopes, swirl) = EQUAL.log_slopes(LoadSet::all(3).with_swirl(3)).unwrap();
     println!("{:?}", slopes.named());
     for mode in slopes.modes() {
         for (slope, expected) in [
@@ -104,7 +93,7 @@ fn slip_loads_grow_with_the_logarithm_of_the_gap_as_3_1_and_8_and_2_fifths_in_ev
 
 #[test]
 fn the_asymptotic_form_continues_the_series_below_where_it_takes_over() {
-    let exact = &*EXACT;
+    let exact = &*EQUAL;
     for eps in [9e-5, 3e-5, 1e-5] {
         let series = exact.series_loads(at(eps), LoadSet::all(8)).unwrap();
         let form = exact.loads(at(eps), LoadSet::all(8)).unwrap();
@@ -116,7 +105,7 @@ fn the_asymptotic_form_continues_the_series_below_where_it_takes_over() {
 
 #[test]
 fn loads_do_not_jump_where_one_form_hands_over_to_another() {
-    let exact = &*EXACT;
+    let exact = &*EQUAL;
     for (seam, tolerance) in [(SERIES_FROM, 2e-10), (SERIES_TO, 1e-13)] {
         let below = exact
             .loads(Gap::from_ln(seam.ln() - 1e-13), LoadSet::all(8))
@@ -131,16 +120,16 @@ fn loads_do_not_jump_where_one_form_hands_over_to_another() {
 
 #[test]
 fn two_spheres_far_apart_do_not_interact() {
-    let loads = EXACT.loads(at(1e12), LoadSet::all(8)).unwrap();
+    let loads = EQUAL.loads(at(1e12), LoadSet::all(8)).unwrap();
     assert!(distance(&loads, &PairLoads::isolated(LoadSet::all(8))) < 1e-11);
-    let infinite = EXACT.loads(Gap::from_ln(800.0), LoadSet::all(8)).unwrap();
+    let infinite = EQUAL.loads(Gap::from_ln(800.0), LoadSet::all(8)).unwrap();
     assert!(distance(&infinite, &PairLoads::isolated(LoadSet::all(8))) < 1e-14);
 }
 
 #[test]
 fn distant_spheres_drag_each_other_by_a_stokeslet() {
     let gap = at(1e4);
-    let (r, loads) = (gap.distance(), EXACT.loads(gap, LoadSet::all(1)).unwrap());
+    let (r, loads) = (gap.distance(), EQUAL.loads(gap, LoadSet::all(1)).unwrap());
     assert!((loads.xa.other() * r + 1.5).abs() < 1e-6);
     assert!((loads.ya.other() * r + 0.75).abs() < 1e-6);
     assert!((loads.yb.other() * r * r - 1.5).abs() < 1e-3);
@@ -149,7 +138,7 @@ fn distant_spheres_drag_each_other_by_a_stokeslet() {
 
 #[test]
 fn a_pair_that_moves_as_one_body_feels_no_lubrication() {
-    let exact = &*EXACT;
+    let exact = &*EQUAL;
     let contact = exact.contact_constants(LoadSet::all(0)).unwrap();
     for eps in [1e-9, 1e-6, 1e-3] {
         let gap = at(eps);
@@ -172,7 +161,7 @@ fn a_pair_that_moves_as_one_body_feels_no_lubrication() {
 
 #[test]
 fn modes_beyond_the_first_do_not_propel_a_lone_squirmer() {
-    let loads = EXACT.loads(at(1e3), LoadSet::all(8)).unwrap();
+    let loads = EQUAL.loads(at(1e3), LoadSet::all(8)).unwrap();
     for mode in &loads.modes()[1..] {
         assert!(mode.xf.own().abs() < 1e-5 && mode.yf.own().abs() < 1e-5);
         assert!(mode.yt.own().abs() < 1e-5);
@@ -182,9 +171,9 @@ fn modes_beyond_the_first_do_not_propel_a_lone_squirmer() {
 #[test]
 fn a_part_of_the_loads_has_the_bits_of_all() {
     for eps in [1e-5, 0.1, 300.0] {
-        let all = EXACT.loads(at(eps), LoadSet::all(2)).unwrap().named();
+        let all = EQUAL.loads(at(eps), LoadSet::all(2)).unwrap().named();
         for set in [LoadSet::axial(2), LoadSet::planar(1)] {
-            let part = EXACT.loads(at(eps), set).unwrap().named();
+            let part = EQUAL.loads(at(eps), set).unwrap().named();
             assert_eq!(part.len(), set.column_count());
             // The modes asked for decide the number of terms.
             let same = |load: &(String, f64)| {
@@ -192,14 +181,14 @@ fn a_part_of_the_loads_has_the_bits_of_all() {
             };
             assert!(part.iter().all(same), "{part:?}");
         }
-        let axial = EXACT.loads(at(eps), LoadSet::axial(2)).unwrap().named();
+        let axial = EQUAL.loads(at(eps), LoadSet::axial(2)).unwrap().named();
         assert!(axial.iter().all(|load| all.contains(load)), "{axial:?}");
     }
 }
 
 #[test]
 fn gaps_that_are_not_numbers_or_not_positive_are_refused() {
-    let exact = &*EXACT;
+    let exact = &*EQUAL;
     assert!(matches!(
         exact.loads(Gap::from_ln(f64::NAN), LoadSet::all(2)),
         Err(SceneError::GapOutsideRange { .. })
@@ -212,7 +201,7 @@ fn gaps_that_are_not_numbers_or_not_positive_are_refused() {
 
 #[test]
 fn more_modes_than_the_loads_hold_are_refused() {
-    let error = EXACT.loads(at(1.0), LoadSet::all(9));
+    let error = EQUAL.loads(at(1.0), LoadSet::all(9));
     assert_eq!(
         error,
         Err(SceneError::TooManyModes {
@@ -220,13 +209,13 @@ fn more_modes_than_the_loads_hold_are_refused() {
             allowed: 8
         })
     );
-    assert!(EXACT.contact_constants(LoadSet::all(9)).is_err());
-    assert!(EXACT.log_slopes(LoadSet::all(9)).is_err());
+    assert!(EQUAL.contact_constants(LoadSet::all(9)).is_err());
+    assert!(EQUAL.log_slopes(LoadSet::all(9)).is_err());
 }
 
 #[test]
 fn a_series_with_too_many_terms_is_refused() {
-    assert!(EXACT.series_loads(at(1e-12), LoadSet::all(2)).is_err());
+    assert!(EQUAL.series_loads(at(1e-12), LoadSet::all(2)).is_err());
     assert!(Exact::with_terms(0.0).is_err());
     assert!(Exact::with_terms(f64::NAN).is_err());
 }

@@ -1,7 +1,5 @@
 //! The split into symmetry classes changes nothing: the same entries, unsplit, give the same loads.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic, its helpers too")]
-
 use std::f64::consts::PI;
 
 use bem::Bem;

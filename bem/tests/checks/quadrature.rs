@@ -1,7 +1,5 @@
 //! Panel integrals against adaptive ones.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic, its helpers too")]
-
 use std::f64::consts::PI;
 
 use bem::Bem;

@@ -1,7 +1,5 @@
 //! Every slip mode, squirming and swirl: against `exact`, and solved for in the laboratory frame.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic, its helpers too")]
-
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;

@@ -1,7 +1,5 @@
 //! Loads against `exact`: the figures that the documentation states.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic, its helpers too")]
-
 use bem::Bem;
 use exact::Exact;
 use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, SwirlLoads};

@@ -1,7 +1,5 @@
 //! Loads of a pair against published tables, near-contact constants and laws.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic, its helpers too")]
-
 use std::error::Error;
 
 use bem::model::difference;

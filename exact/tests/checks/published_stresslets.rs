@@ -4,8 +4,6 @@
 //! With `d` from sphere 1 to sphere 2, `S(a) = -Σ_b G(ab).U(b) + H(ab).omega(b)` where
 //! `G_ijk = XG (d_i d_j - I_ij/3) d_k + YG (d_i I_jk + d_j I_ik - 2 d_i d_j d_k)`, `H_ijk = YH (e_ikl d_l d_j + e_jkl d_l d_i)`.
 
-#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
-
 use exact::Exact;
 use scene::stress::Stresses;
 use scene::{Fluid, Gap};

@@ -1,7 +1,5 @@
 //! A pair that moves in every way.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic, its helpers too")]
-
 use nalgebra::Vector3;
 use scene::{Configuration, Gap, MovingPair, Squirmer};
 

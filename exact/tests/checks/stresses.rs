@@ -1,15 +1,10 @@
 //! Stresslets and power by series against integrals over the surfaces and over the fluid, and against the loads.
 
-#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
-
-#[path = "common/pair.rs"]
-mod pair;
-
 use std::f64::consts::{PI, TAU};
 
+use crate::pair::{free, lone_flow, pair};
 use exact::Exact;
 use gauss_quad::legendre::GaussLegendre;
-use pair::{free, lone_flow, pair};
 use scene::nalgebra::{Matrix3, Vector3};
 use scene::stress::{Block, Cause, StressTable, Stresses, lone_power, lone_stresslet};
 use scene::{Flow, Fluid, Gap, LoadSet, MovingPair, SelfOther};

@@ -1,8 +1,6 @@
 //! Far apart: loads that tend to those of lone spheres, and where pairs that part point at last.
 
 #![allow(clippy::float_cmp, reason = "exactly equal is what is claimed")]
-#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
-
 use std::sync::Arc;
 
 use bem::Bem;

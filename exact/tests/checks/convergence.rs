@@ -1,15 +1,13 @@
 //! How far the loads are from the limit of infinitely many terms.
 
-mod common;
-
 use exact::Exact;
 use scene::{Hydrodynamics, LoadSet};
 
-use common::{at, distance};
+use crate::common::{EQUAL, at, distance};
 
 #[test]
 fn doubling_the_number_of_terms_changes_nothing() {
-    let (single, double) = (Exact::new(), Exact::with_terms(2.0).unwrap());
+    let (single, double) = (&*EQUAL, Exact::with_terms(2.0).unwrap());
     for (eps, tolerance) in [
         (100.0, 1e-10),
         (20.0, 1e-10),
@@ -39,7 +37,7 @@ fn the_flow_keeps_its_boundary_values_at_points_that_were_not_fitted() {
         (0.01, 1e-10),
         (1e-3, 1e-8),
     ] {
-        let residual = Exact::new().residual(at(eps), LoadSet::all(8)).unwrap();
+        let residual = EQUAL.residual(at(eps), LoadSet::all(8)).unwrap();
         println!("gap {eps:e}: {residual:.1e}");
         assert!(residual < tolerance, "{eps}: {residual:e}");
     }
@@ -50,7 +48,7 @@ fn too_few_terms_show_in_the_residual_and_in_the_error_estimate() {
     let coarse = Exact::with_terms(0.25).unwrap();
     let gap = at(0.01);
     let loads = coarse.loads(gap, LoadSet::all(2)).unwrap();
-    let truth = Exact::new().loads(gap, LoadSet::all(2)).unwrap();
+    let truth = EQUAL.loads(gap, LoadSet::all(2)).unwrap();
     let error = distance(&loads, &truth);
     let estimate = coarse
         .error_estimate(gap, LoadSet::all(2))
@@ -67,9 +65,8 @@ fn too_few_terms_show_in_the_residual_and_in_the_error_estimate() {
 
 #[test]
 fn the_error_estimate_stays_below_a_nanometre_a_metre() {
-    let exact = Exact::new();
     for eps in [1e-12, 1e-6, 1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0, 1e3, 1e9] {
-        let estimate = exact
+        let estimate = EQUAL
             .error_estimate(at(eps), LoadSet::all(8))
             .unwrap()
             .unwrap();
@@ -80,13 +77,12 @@ fn the_error_estimate_stays_below_a_nanometre_a_metre() {
 
 #[test]
 fn regress_the_reference_table_is_reproduced() {
-    let exact = Exact::new();
-    for line in include_str!("../reference.csv").lines().skip(1) {
+    for line in include_str!("../../reference.csv").lines().skip(1) {
         let mut cells = line.split(',');
         let mut next = || cells.next().unwrap();
         let (eps, name, value): (f64, _, f64) =
             (next().parse().unwrap(), next(), next().parse().unwrap());
-        let loads = exact.loads(at(eps), LoadSet::all(2)).unwrap().named();
+        let loads = EQUAL.loads(at(eps), LoadSet::all(2)).unwrap().named();
         let own = loads.iter().find(|l| l.0 == name).unwrap().1;
         assert!(
             (own - value).abs() < 1e-11 * value.abs().max(1.0),
@@ -102,7 +98,7 @@ fn limiting_forms_follow_the_number_of_terms_and_estimate_what_they_leave_out() 
     for eps in [1e-6, 1e-5] {
         let gap = at(eps);
         let loads = coarse.loads(gap, set).unwrap();
-        let error = distance(&loads, &Exact::new().loads(gap, set).unwrap());
+        let error = distance(&loads, &EQUAL.loads(gap, set).unwrap());
         let estimate = coarse.error_estimate(gap, set).unwrap().unwrap();
         println!("{eps:e}: {error:e} {estimate:e}");
         assert!(error > 1e-8, "{eps}: {error:e}");

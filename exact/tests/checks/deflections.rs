@@ -1,14 +1,13 @@
 //! A deflection is a limit: what two squirmers still turn by after they have parted.
 
-#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
-
 use std::sync::{Arc, OnceLock};
 
-use exact::Exact;
 use scene::{
     LoadSet, Orientation, Outcome, Plan, Pose, Repulsion, Run, RunOptions, Scene, SceneError,
     Squirmer, TableOptions, Tabulated, run_plan,
 };
+
+use crate::common::EQUAL;
 
 fn table() -> &'static Tabulated {
     static TABLE: OnceLock<Tabulated> = OnceLock::new();
@@ -18,7 +17,7 @@ fn table() -> &'static Tabulated {
             tolerance: 1e-9,
             smallest_gap: 1e-7,
         };
-        Tabulated::build(Arc::new(Exact::new()), options, &|_| ()).unwrap()
+        Tabulated::build(Arc::new(EQUAL.clone()), options, &|_| ()).unwrap()
     })
 }
 

@@ -1,17 +1,13 @@
 //! Stresslets and rates of work by unit causes: against lone squirmers, the loads of `exact`, the tractions of the flow, and laws that any solution obeys.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic, its helpers too")]
-
-mod moving;
-
 use std::f64::consts::PI;
 use std::num::NonZeroUsize;
 
+use crate::moving::pair;
 use approx::assert_relative_eq;
 use bem::Bem;
 use exact::Exact;
 use gauss_quad::GaussLegendre;
-use moving::pair;
 use nalgebra::{Matrix3, Vector3};
 use scene::stress::{Block, BlockStresses, Cause, Stresses};
 use scene::{Fluid, Gap, Hydrodynamics, LoadSet};

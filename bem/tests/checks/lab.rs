@@ -1,7 +1,5 @@
 //! The laboratory-frame solve, alone and against the pair frame.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic, its helpers too")]
-
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;

@@ -1,12 +1,7 @@
 //! The flow by series against what defines it: the Stokes equations, the surfaces' velocities, the far field.
 
-#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
-
-#[path = "common/pair.rs"]
-mod pair;
-
+use crate::pair::{free, lone_flow, pair};
 use exact::Exact;
-use pair::{free, lone_flow, pair};
 use scene::nalgebra::{Matrix3, Vector3};
 use scene::{Flow, Fluid, Gap, MovingPair, SceneError};
 

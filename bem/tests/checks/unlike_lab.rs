@@ -1,8 +1,6 @@
 //! Spheres of any radii in the laboratory's frame, and pairs of them against the pair frame: slip is solved for here, and follows
 //! from the reciprocal theorem there.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic, its helpers too")]
-
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;

@@ -7,8 +7,6 @@
 //! Separatrices among such starts: passive spheres at rest, which stay where they are; and at the smallest gap a pair that
 //! neither closes nor opens at first but for rounding, which decides whether it is unresolved at once.
 
-#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
-
 use std::sync::{Arc, OnceLock};
 
 use bem::Bem;

@@ -1,12 +1,11 @@
 //! The table of mobilities moves a pair as the direct solve does, at any gap.
 
-#![allow(clippy::unwrap_used, reason = "a failed unwrap fails the test")]
-
 use std::sync::{Arc, OnceLock};
 
-use exact::Exact;
 use scene::mobility::{External, Heading, MobilitySet, pair_velocity};
 use scene::{Gap, Hydrodynamics, LoadSet, Squirmer, TableOptions, Tabulated};
+
+use crate::common::EQUAL;
 
 const READ: MobilitySet = MobilitySet {
     loads: LoadSet::planar(2),
@@ -16,7 +15,7 @@ const READ: MobilitySet = MobilitySet {
 fn table() -> &'static Tabulated {
     static TABLE: OnceLock<Tabulated> = OnceLock::new();
     TABLE.get_or_init(|| {
-        let exact = Exact::new();
+        let exact = EQUAL.clone();
         let options = TableOptions {
             set: READ.loads,
             tolerance: 1e-9,
