@@ -38,26 +38,13 @@ fn worst(found: &[ActiveLoads; 2], truth: &[ActiveLoads; 2]) -> (String, f64) {
 
 #[test]
 fn val_every_load_is_that_of_exact_to_a_thousandth_at_a_hundredth_of_the_smaller_radius() {
-    // With their inverses by the test on spheres that change places.
-    for ratio in [0.25, 2.0] {
-        let eps = 0.01 * f64::min(1.0, ratio);
-        let truth = Exact::of_ratio(ratio).unwrap();
-        let truth = truth.interacting_loads_of_each(gap(eps), SET).unwrap();
-        let (name, error) = worst(&loads(Bem::DEFAULT_LEVEL, ratio, eps), &truth);
-        // Found: 1.6e-4.
-        assert!(error < 5e-4, "{name} at ratio {ratio}: {error:e}");
-    }
-}
-
-#[test]
-fn val_panels_of_fine_meshes_are_tied_to_the_width_of_the_gap_between_unlike_spheres() {
-    let (ratio, eps) = (0.25, 2.5e-4);
-    let of = |model: &dyn Hydrodynamics| {
-        (model.interacting_loads_of_each(gap(eps), LoadSet::all(2))).unwrap()
-    };
-    let (name, error) = worst(&of(&model(4, ratio)), &of(&Exact::of_ratio(ratio).unwrap()));
-    // Found: 1.7e-5; tied to the width beside a mirror image instead, 4.7e-5 in X21A.
-    assert!(error < 3e-5, "{name}: {error:e}");
+    // With its inverse by the test on spheres that change places.
+    let (ratio, eps) = (2.0, 0.01);
+    let truth = Exact::of_ratio(ratio).unwrap();
+    let truth = truth.interacting_loads_of_each(gap(eps), SET).unwrap();
+    let (name, error) = worst(&loads(Bem::DEFAULT_LEVEL, ratio, eps), &truth);
+    // Found: 1.6e-4.
+    assert!(error < 5e-4, "{name}: {error:e}");
 }
 
 #[test]
@@ -216,20 +203,21 @@ fn loads_hardly_jump_where_meshes_change() {
 #[test]
 fn val_the_largest_error_is_within_the_largest_estimate_at_random_ratios_and_gaps() {
     // The example `unlike` does the same with 200 pairs at a level.
-    let mut held = 0;
-    let count = 12;
-    for k in 1..=count {
+    for k in 1..=8_u8 {
         let share = |of: f64| (f64::from(k) * of).fract();
         let ratio = 5f64.powf(2.0 * share(0.754_877_666_246_693) - 1.0);
         let eps = 0.02 * 250f64.powf(share(0.569_840_290_998_053)) * ratio.min(1.0);
-        let model = model(1 + k as usize % 2, ratio);
+        let model = model(1 + usize::from(k) % 2, ratio);
         let truth = Exact::of_ratio(ratio).unwrap();
         let truth = truth.interacting_loads_of_each(gap(eps), SET).unwrap();
         let found = model.interacting_loads_of_each(gap(eps), SET).unwrap();
         let estimate = model.error_estimate(gap(eps), SET).unwrap().unwrap();
-        held += u32::from(worst(&found, &truth).1 <= estimate);
+        let (name, error) = worst(&found, &truth);
+        assert!(
+            error <= estimate,
+            "{name} at ratio {ratio}, gap {eps}: {error:e} against {estimate:e}"
+        );
     }
-    assert!(held >= 11, "{held} of {count}");
 }
 
 #[test]
