@@ -23,6 +23,8 @@ mod isolated;
 mod legendre;
 mod load_set;
 pub mod loads;
+#[cfg(test)]
+mod made;
 pub mod mobility;
 pub mod motion;
 pub mod ode;

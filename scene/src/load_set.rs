@@ -281,3 +281,39 @@ impl PairLoads {
             .flat_map(|(s, _)| [s.sum, s.difference])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pair_with_a_symmetry_reads_one_combination_of_each_kind_of_load() {
+        let whole = LoadSet::all(2).with_swirl(3);
+        let (turned, mirrored) = (whole.point_symmetric(), whole.mirror_symmetric());
+        for of in [turned, mirrored] {
+            assert!(whole.holds(of) && !of.holds(whole));
+            // Along the line of centres the two push each other apart: that pushes neither pair.
+            assert!(of.axial.difference && !of.axial.sum);
+            assert!(of.transverse.sum != of.transverse.difference);
+            // All else is as it was.
+            assert_eq!((of.modes, of.twist, of.swirl), (2, true, 3));
+            assert_eq!(of.of_any_pair(), whole);
+        }
+        // The one drifts across as one, the other one turns as one.
+        assert!(mirrored.transverse.sum && turned.transverse.difference);
+        let either = turned.union(mirrored);
+        assert_eq!(
+            (either.axial, either.transverse),
+            (turned.axial, Parities::BOTH)
+        );
+    }
+
+    #[test]
+    fn twist_is_all_that_motion_in_a_plane_lacks() {
+        let [axial, turning] = [LoadSet::axial(2), LoadSet::axial_and_twist(2)];
+        assert!(turning.twist && turning.holds(axial) && !axial.holds(turning));
+        assert!(!turning.transverse.any());
+        assert_eq!(turning.union(LoadSet::planar(2)), LoadSet::all(2));
+        assert_eq!(axial.of_any_pair(), axial);
+    }
+}

@@ -31,3 +31,6 @@ pub use run::{run, run_monomorphic, run_observed, run_plan};
 pub use tangent::{
     Perturbation, TangentRun, Variation, run_with_tangents, run_with_tangents_by_ratio,
 };
+
+#[cfg(test)]
+mod tests;

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use std::path::{Path, PathBuf};
 
-use super::tests::Made;
 use super::*;
+use crate::made::Made;
 
 /// A table of one group of columns, and whether it was built.
 fn cached(model: Made, folder: &Path) -> (Tabulated, bool) {

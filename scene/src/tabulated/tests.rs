@@ -1,75 +1,10 @@
 use std::sync::Arc;
 
 use super::*;
+use crate::balance;
+use crate::made::Made;
 use crate::mobility::{Block, Mobility};
-use crate::{GapRange, SelfOther, balance, singular};
 use approx::assert_relative_eq;
-
-/// A made-up model with the true singular parts, a seam at which it jumps, and stated noise.
-#[derive(Clone)]
-pub(super) struct Made {
-    pub seam: Option<f64>,
-    pub noise: f64,
-}
-
-impl Hydrodynamics for Made {
-    fn description(&self) -> ModelDescription<'_> {
-        ModelDescription {
-            ratio: 1.0,
-            range: GapRange::from(1e-3),
-            cutoff: None,
-            seams: self.seam.as_slice(),
-            noise: self.noise,
-        }
-    }
-
-    fn interacting_loads(&self, gap: Gap, set: LoadSet) -> Result<PairLoads, SceneError> {
-        self.range().check(gap)?;
-        let (eps, r) = (gap.eps(), gap.distance());
-        let mut loads = PairLoads::isolated(set);
-        let jump = match self.seam {
-            Some(seam) if eps > seam => 1e-3,
-            _ => 0.0,
-        };
-        // Decays as 1/r far away, has the singular part and an eps ln eps term at contact.
-        let fade = (2.0 / r).powi(3);
-        let singular = singular::loads(gap, set, singular::AXIAL_SQUIRMING);
-        loads.xa.difference += fade * (singular.xa.difference + eps * gap.ln()) - 1.5 / r;
-        loads.ya += SelfOther::new(0.2 / (r * r) + jump, -0.7 / r);
-        loads.yb += SelfOther::new(-0.1 / (r * r), 0.3 / (r * r));
-        for (n, mode) in (1u8..).zip(loads.modes_mut()) {
-            mode.xf.sum += f64::from(n) * fade;
-            mode.yt.sum += f64::from(n) * fade * gap.log_inverse();
-            mode.yf.sum += f64::from(n) * fade;
-        }
-        Ok(loads)
-    }
-
-    fn interacting_loads_with_swirl(
-        &self,
-        gap: Gap,
-        set: LoadSet,
-    ) -> Result<(PairLoads, SwirlLoads), SceneError> {
-        let mut swirl = singular::swirl(gap, set);
-        let fade = (2.0 / gap.distance()).powi(3);
-        for (n, mode) in (1u8..).zip(swirl.modes_mut()) {
-            let smooth = SelfOther::new(f64::from(n), gap.eps() * gap.ln());
-            for load in [&mut mode.xtc, &mut mode.yfc, &mut mode.ytc] {
-                load.sum = fade * (load.sum + smooth.sum);
-                load.difference = fade * (load.difference + smooth.difference);
-            }
-        }
-        Ok((self.interacting_loads(gap, set)?, swirl))
-    }
-
-    fn error_estimate(&self, gap: Gap, _: LoadSet) -> Result<Option<f64>, SceneError> {
-        Ok(Some(1e-6 / gap.eps()))
-    }
-
-    fn fingerprint(&self) -> String {
-        format!("made {:?} {}", self.seam, self.noise)
-    }
-}
 
 fn table(seam: Option<f64>, noise: f64, tolerance: f64) -> Tabulated {
     let options = TableOptions {

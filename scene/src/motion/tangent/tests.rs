@@ -1,16 +1,53 @@
-//! The linearised motion of spheres that repulsion and gravity move; tests with hydrodynamics stand where the models are.
+//! The linearised motion against differences of runs, without hydrodynamics and by made-up models.
 
 use nalgebra::Vector3;
 
 use super::*;
+use crate::made::{Cut, Made, Unlike};
 use crate::{
-    Gravity, Isolated, Orientation, Pose, Repulsion, RunOptions, Scene, SceneError, Squirmer, run,
+    Gravity, Hydrodynamics, Isolated, Orientation, Pose, Repulsion, RunOptions, Scene, SceneError,
+    Squirmer, run,
 };
 
-/// Two bottom-heavy squirmers that close in, one above the other's side, with everything a little changed by `h`.
-fn scene(h: f64) -> Result<Scene, SceneError> {
-    let squirmer = |beta: f64, heavy: f64| {
-        Squirmer::new(&[1.5 + 0.1 * h, 1.5 * beta])?.bottom_heavy(heavy - h)
+const MADE: Made = Made {
+    seam: None,
+    noise: 0.0,
+};
+
+const OPTIONS: RunOptions = RunOptions {
+    tolerance: 1e-12,
+    end_time: 1.5,
+    departure_distance: 1e3,
+    angles_at: f64::INFINITY,
+    sample_interval: None,
+    max_steps: 1_000_000,
+};
+
+/// What a scene has beside squirming and repulsion.
+#[derive(Clone, Copy)]
+struct Acts {
+    gravity: bool,
+    swirl: bool,
+    radius: f64,
+}
+
+const PLAIN: Acts = Acts {
+    gravity: false,
+    swirl: false,
+    radius: 1.0,
+};
+
+/// Two squirmers that close in, one above the other's side, with everything a little changed by `h`.
+fn scene(acts: Acts, h: f64) -> Result<Scene, SceneError> {
+    let squirmer = |beta: f64, heavy: f64, swirl: f64| {
+        let mut of = Squirmer::new(&[1.5 + 0.1 * h, 1.5 * beta, 0.3 * h])?;
+        if acts.swirl {
+            of = of.with_swirl(&[0.2 + h, swirl - h])?;
+        }
+        if acts.gravity {
+            of = of.bottom_heavy(heavy - h)?;
+        }
+        Ok::<_, SceneError>(of)
     };
     let pose = |x: [f64; 3], p: [f64; 3]| Pose {
         position: x.into(),
@@ -18,53 +55,151 @@ fn scene(h: f64) -> Result<Scene, SceneError> {
     };
     let start = [
         pose([0.0, h, 0.0], [1.0, 0.3 * h, 0.2]),
-        pose([2.4, 0.3, -0.2 - h], [-1.0, 0.4, 0.3 + h]),
+        pose([1.4 + acts.radius, 0.3, -0.2 - h], [-1.0, 0.4, 0.3 + h]),
     ];
     let repulsion = Repulsion::new(10.0 + h, 20.0 + 2.0 * h)?;
     let gravity = Gravity::new(Vector3::new(0.2 * h, -1.0, 0.1))?;
-    let squirmers = [squirmer(1.0, 4.0)?, squirmer(-2.0, 2.0)?];
-    Scene::new(squirmers, start, Some(repulsion), Some(gravity))
+    let squirmers = [
+        squirmer(1.0, 4.0, 0.8)?,
+        squirmer(-2.0, 2.0, -0.5)?.with_radius(acts.radius)?,
+    ];
+    Scene::new(
+        squirmers,
+        start,
+        Some(repulsion),
+        acts.gravity.then_some(gravity),
+    )
 }
 
-#[test]
-fn val_tangents_are_differences_of_runs() {
-    let options = RunOptions {
-        tolerance: 1e-12,
-        end_time: 1.5,
-        ..RunOptions::default()
-    };
-    let end = |h: f64| {
-        let end = run(&scene(h).unwrap(), &Isolated::EQUAL, &options)
-            .unwrap()
-            .end;
-        [end.positions(), end.orientations].concat()
-    };
-    let direction = Perturbation::along::<SceneError>(scene, 1e-2).unwrap();
-    let tangents = run_with_tangents(
-        &scene(0.0).unwrap(),
-        &Isolated::EQUAL,
-        &options,
-        &[direction],
-    )
-    .unwrap();
-    assert!(tangents.run.min_gap < 0.3, "{}", tangents.run.min_gap);
+/// Centres and orientations at the end, and orientations when the two have parted.
+fn end(acts: Acts, model: &dyn Hydrodynamics, h: f64) -> Vec<Vector3<f64>> {
+    let run = run(&scene(acts, h).unwrap(), model, &OPTIONS).unwrap();
+    [
+        run.end.positions(),
+        run.end.orientations,
+        run.outgoing.orientations,
+    ]
+    .concat()
+}
+
+/// The derivative by Richardson's extrapolation of central differences.
+fn differences(at: impl Fn(f64) -> Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
     let difference = |h: f64| -> Vec<Vector3<f64>> {
-        let sides = end(h).into_iter().zip(end(-h));
+        let sides = at(h).into_iter().zip(at(-h));
         sides
             .map(|(above, below)| (above - below) / (2.0 * h))
             .collect()
     };
     let (coarse, fine) = (difference(2e-3), difference(1e-3));
-    let Variation {
-        positions,
-        orientations,
-    } = tangents.end[0];
-    for (i, found) in [positions, orientations].concat().iter().enumerate() {
-        let expected = (fine[i] * 4.0 - coarse[i]) / 3.0;
+    let pairs = fine.into_iter().zip(coarse);
+    pairs
+        .map(|(fine, coarse)| (fine * 4.0 - coarse) / 3.0)
+        .collect()
+}
+
+#[track_caller]
+fn assert_derivative(found: &TangentRun, expected: &[Vector3<f64>], bound: f64) {
+    let (end, outgoing) = (found.end[0], found.outgoing[0]);
+    let found = [end.positions, end.orientations, outgoing].concat();
+    for (i, (found, expected)) in found.iter().zip(expected).enumerate() {
         let off = (found - expected).norm() / expected.norm().max(1.0);
-        assert!(off < 1e-7, "{i}: {found}, {expected}");
-        assert!(expected.norm() > 0.01);
+        assert!(off < bound, "{i}: {found}, {expected}, off by {off:e}");
+        assert!(expected.norm() > 0.01, "{i}: {expected}");
     }
+}
+
+#[test]
+fn val_tangents_are_differences_of_runs() {
+    let heavy = Acts {
+        gravity: true,
+        ..PLAIN
+    };
+    let all = Acts {
+        gravity: true,
+        swirl: true,
+        radius: 0.6,
+    };
+    let swirling = Acts {
+        swirl: true,
+        ..PLAIN
+    };
+    let cases: [(&dyn Hydrodynamics, Acts); 5] = [
+        (&Isolated::EQUAL, heavy),
+        (&MADE, heavy),
+        (&MADE, swirling),
+        (
+            &Unlike(0.6),
+            Acts {
+                radius: 0.6,
+                ..PLAIN
+            },
+        ),
+        (&Unlike(0.6), all),
+    ];
+    for (case, (model, acts)) in cases.into_iter().enumerate() {
+        println!("case {case}");
+        let of = |h: f64| scene(acts, h);
+        let direction = Perturbation::along::<SceneError>(of, 1e-2).unwrap();
+        let tangents = run_with_tangents(&of(0.0).unwrap(), model, &OPTIONS, &[direction]).unwrap();
+        assert!(tangents.run.min_gap < 0.3, "{}", tangents.run.min_gap);
+        let expected = differences(|h| end(acts, model, h));
+        assert_derivative(&tangents, &expected, 1e-7);
+    }
+}
+
+#[test]
+fn val_the_time_at_which_a_pair_passes_the_cut_of_a_model_changes_with_its_start() {
+    let model = Cut {
+        made: MADE,
+        at: 0.25,
+    };
+    let swirling = Acts {
+        swirl: true,
+        ..PLAIN
+    };
+    let of = |h: f64| scene(swirling, h);
+    let direction = Perturbation::along::<SceneError>(of, 1e-2).unwrap();
+    let tangents = run_with_tangents(&of(0.0).unwrap(), &model, &OPTIONS, &[direction]).unwrap();
+    let run = &tangents.run;
+    assert!(run.min_gap < model.at && run.contact_time > 0.0, "{run:?}");
+    println!(
+        "{:?} {} {}",
+        run.outcome,
+        run.contact_time,
+        run.end.gap.eps()
+    );
+    assert_derivative(&tangents, &differences(|h| end(swirling, &model, h)), 1e-7);
+}
+
+#[test]
+fn val_a_change_of_the_radii_changes_the_model_too() {
+    let acts = |h: f64| Acts {
+        gravity: true,
+        swirl: false,
+        radius: 0.6 * (1.0 + h),
+    };
+    let of = |h: f64| scene(acts(h), 0.0);
+    let direction = Perturbation::along::<SceneError>(of, 1e-2).unwrap();
+    assert!((direction.ratio - 0.6).abs() < 1e-12);
+    let beside = [-0.02, -0.01, 0.01, 0.02].map(|part| Unlike(0.6 * (1.0 + part)));
+    let beside = beside.each_ref().map(|of| of as &dyn Hydrodynamics);
+    let found = run_with_tangents_by_ratio(
+        &of(0.0).unwrap(),
+        (&Unlike(0.6), &beside),
+        &OPTIONS,
+        &[direction],
+    );
+    let expected = differences(|h| {
+        let model = Unlike(0.6 * (1.0 + h));
+        let run = run(&of(h).unwrap(), &model, &OPTIONS).unwrap();
+        [
+            run.end.positions(),
+            run.end.orientations,
+            run.outgoing.orientations,
+        ]
+        .concat()
+    });
+    assert_derivative(&found.unwrap(), &expected, 1e-6);
 }
 
 #[test]
@@ -73,7 +208,7 @@ fn a_change_of_the_radii_needs_models_of_other_radii() {
         ratio: 1.0,
         ..Perturbation::NONE
     };
-    let options = RunOptions::default();
-    let refused = run_with_tangents(&scene(0.0).unwrap(), &Isolated::EQUAL, &options, &[wider]);
+    let start = scene(PLAIN, 0.0).unwrap();
+    let refused = run_with_tangents(&start, &Isolated::EQUAL, &OPTIONS, &[wider]);
     assert_eq!(refused, Err(SceneError::NoRatios));
 }
