@@ -184,6 +184,8 @@ fn a_scene_in_any_plane_moves_as_the_one_that_was_turned_there() {
         assert_eq!(found.samples[0].configuration, *tilted.start(), "{what}");
         assert_close(&found.end, &turned(expected.end), 1e-8, &what);
         assert_close(&found.outgoing, &turned(expected.outgoing), 1e-8, &what);
+        let whole = of(&tilted.clone().without_symmetry(), &MODEL);
+        assert_close(&whole.end, &turned(expected.end), 1e-7, &what);
         for (a, b) in found.samples.iter().zip(&expected.samples) {
             assert!(
                 (a.t - b.t).abs() < 1e-9
@@ -192,6 +194,22 @@ fn a_scene_in_any_plane_moves_as_the_one_that_was_turned_there() {
             assert_close(&a.configuration, &turned(b.configuration), 1e-8, &what);
         }
     }
+}
+
+#[test]
+fn swirl_about_the_line_of_centres_runs_only_if_it_is_asked_for() {
+    let spinning = squirmer(2.0).with_swirl(&[0.4, 0.9]).unwrap();
+    let start = [
+        pose([-1.2, 0.1, 0.3], [1.0, 0.0, 0.0]),
+        pose([1.2, 0.1, 0.3], [-1.0, 0.0, 0.0]),
+    ];
+    let plan = Plan::new(&Scene::new([spinning; 2], start, None, None).unwrap()).unwrap();
+    assert_eq!((plan.state(), plan.swirl()), (State::Axisymmetric, 0));
+    let whole = plan.clone().without_symmetry();
+    assert_eq!(whole.swirl(), 2);
+    assert_eq!(plan.clone().with_idle_gravity().swirl(), 2);
+    let (found, expected) = (of(&plan, &MODEL), of(&whole, &MODEL));
+    assert_close(&found.end, &expected.end, 1e-7, "spinning");
 }
 
 #[test]

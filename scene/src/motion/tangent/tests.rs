@@ -5,8 +5,8 @@ use nalgebra::Vector3;
 use super::*;
 use crate::made::{Cut, Made, Unlike};
 use crate::{
-    Gravity, Hydrodynamics, Isolated, Orientation, Pose, Repulsion, RunOptions, Scene, SceneError,
-    Squirmer, run,
+    Gravity, Hydrodynamics, Isolated, Orientation, Outcome, Pose, Repulsion, RunOptions, Scene,
+    SceneError, Squirmer, run,
 };
 
 const MADE: Made = Made {
@@ -169,6 +169,46 @@ fn val_the_time_at_which_a_pair_passes_the_cut_of_a_model_changes_with_its_start
         run.end.gap.eps()
     );
     assert_derivative(&tangents, &differences(|h| end(swirling, &model, h)), 1e-7);
+}
+
+#[test]
+fn val_orientations_at_infinity_change_as_those_of_runs_that_part() {
+    let options = RunOptions {
+        end_time: 1e6,
+        departure_distance: 10.0,
+        // Nothing is asked of the run but how it ends.
+        sample_interval: Some(1.0),
+        ..OPTIONS
+    };
+    let swirling = Acts {
+        swirl: true,
+        ..PLAIN
+    };
+    let cases: [(&dyn Hydrodynamics, Acts); 2] = [
+        (&MADE, swirling),
+        (
+            &Unlike(0.6),
+            Acts {
+                radius: 0.6,
+                ..PLAIN
+            },
+        ),
+    ];
+    for (model, acts) in cases {
+        let of = |h: f64| scene(acts, h);
+        let direction = Perturbation::along::<SceneError>(of, 1e-2).unwrap();
+        let found = run_with_tangents(&of(0.0).unwrap(), model, &options, &[direction]).unwrap();
+        assert_eq!(found.run.outcome, Outcome::Scattered);
+        assert!(found.run.samples.is_empty());
+        let expected = differences(|h| {
+            let run = run(&of(h).unwrap(), model, &options).unwrap();
+            run.outgoing.orientations.to_vec()
+        });
+        for (found, expected) in found.outgoing[0].iter().zip(expected) {
+            let off = (found - expected).norm() / expected.norm().max(1.0);
+            assert!(off < 1e-6, "{found}, {expected}, off by {off:e}");
+        }
+    }
 }
 
 #[test]
