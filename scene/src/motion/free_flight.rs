@@ -135,9 +135,9 @@ impl PairFlight {
             } else {
                 return Ok(None);
             };
-            // A step that no longer changes the time has as good as arrived.
+            // What closes in a step that no longer changes the time is as good as closed.
             let least = 1e-13 * (1.0 + t);
-            let arrived = left <= 4.0 * f64::EPSILON * contact || advance < least;
+            let arrived = left <= (4.0 * f64::EPSILON * contact).max(2.0 * fastest * least);
             if arrived && rate < -creeping {
                 return Ok((!self.grazes(rate)).then_some(t));
             }
@@ -251,5 +251,51 @@ mod tests {
         };
         let flight = PairFlight { start, flights };
         assert_eq!(flight.contact(3.0, 200.0, 1_000_000), Ok(None));
+    }
+
+    /// A pair along x at a distance of the centres, with headings and positions of its own.
+    fn pair(distance: f64, heavy: f64, headings: [Vector3<f64>; 2]) -> PairFlight {
+        let squirmer = Squirmer::with_beta(1.0, 0.0)
+            .and_then(|s| s.bottom_heavy(heavy))
+            .unwrap();
+        let gravity = (heavy > 0.0).then_some(Gravity::DOWN);
+        let flight = |x: f64, p| Flight::new(&squirmer, Vector3::new(x, 0.0, 0.0), p, gravity);
+        let start = Configuration {
+            radii: [1.0; 2],
+            gap: Gap::new(distance - 2.0).unwrap(),
+            midpoint: Vector3::x() * (0.5 * distance),
+            line: Vector3::x(),
+            orientations: headings,
+            line_angle_rad: 0.0,
+            angles_rad: headings.map(|p| p.y.atan2(p.x)),
+        };
+        let flights = [flight(0.0, headings[0]), flight(distance, headings[1])];
+        PairFlight { start, flights }
+    }
+
+    #[test]
+    fn a_pair_that_gravity_rights_at_once_does_not_meet_from_afar() {
+        let tilted = [
+            Vector3::new(0.6, -0.8, 0.0),
+            Vector3::new(-0.8, -0.6, 0.0),
+        ];
+        for heavy in [1e10, 1e30, 1e100, 1e300] {
+            let met = pair(13.0, heavy, tilted).contact(3.0, 100.0, 100_000);
+            assert_eq!(met, Ok(None), "{heavy:e}");
+        }
+    }
+
+    #[test]
+    fn straight_paths_are_nearest_where_the_way_between_is_across_their_relative_velocity() {
+        let headings = [
+            Vector3::new(0.6, 0.8, 0.0),
+            Vector3::new(-0.48, 0.6, 0.64),
+        ];
+        let flight = pair(20.0, 0.0, headings);
+        let time = flight.closest_approach(1e3);
+        let apart = |t: f64| flight.distance(t).0;
+        assert!(apart(time) < apart(time - 1e-3) && apart(time) < apart(time + 1e-3));
+        // By hand: 20 times 1.08 over 1.08^2 + 0.2^2 + 0.64^2.
+        assert_relative_eq!(time, 21.6 / 1.616, max_relative = 1e-14);
     }
 }
