@@ -15,9 +15,6 @@ use scene::{
 /// Steps of a run: each costs some microseconds.
 const MOST_STEPS: usize = 2000;
 
-/// Largest mode: units are such that speeds are of order 1, and the time of a contact is found to 1e-13 of them.
-const FASTEST: f64 = 1e3;
-
 #[derive(Arbitrary, Debug)]
 struct Body {
     modes: Vec<Number>,
@@ -47,16 +44,7 @@ struct Input {
 impl Body {
     fn squirmer(&self) -> Result<Squirmer, SceneError> {
         let values = |numbers: &[Number]| -> Vec<f64> {
-            (numbers.iter())
-                .map(|number| number.value())
-                .map(|value| {
-                    if value.abs() > FASTEST {
-                        value % FASTEST
-                    } else {
-                        value
-                    }
-                })
-                .collect()
+            numbers.iter().map(|number| number.value()).collect()
         };
         let mut squirmer = Squirmer::new(&values(&self.modes))?.with_swirl(&values(&self.swirl))?;
         if let Some(radius) = self.radius {

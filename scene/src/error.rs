@@ -137,6 +137,16 @@ pub enum SceneError {
         /// Time reached, in units of `a/V_s`.
         t: f64,
     },
+    /// A free flight so far that rounding of the positions is as large as the distance of the centres.
+    #[error(
+        "a free flight to {reach:e} radii from the origin leaves no digits of the distance of the centres, about {distance:e}: let it be shorter"
+    )]
+    LostDistance {
+        /// Distance of the farther squirmer from the origin, in sphere radii.
+        reach: f64,
+        /// Distance of the centres that rounding leaves, in sphere radii.
+        distance: f64,
+    },
     /// A free flight under gravity whose end is not found.
     #[error("trajectory: {advances} advances of a free flight end {t} after its start")]
     TooManyAdvances {

@@ -62,6 +62,22 @@ impl PairFlight {
         (distance, separation.dot(&velocity) / distance)
     }
 
+    /// The distance of the centres after the time `t`, if rounding of where they are leaves it six digits.
+    ///
+    /// # Errors
+    /// [`SceneError::LostDistance`] if it does not.
+    pub(crate) fn told_distance(&self, t: f64) -> Result<f64, SceneError> {
+        /// Share of the distance that is rounding, at most.
+        const LOST: f64 = 1e-6;
+        let [(x1, _), (x2, _)] = [self.flights[0].at(t), self.flights[1].at(t)];
+        let distance = (x2 - x1).norm();
+        let reach = x1.norm().max(x2.norm());
+        if reach * f64::EPSILON > LOST * distance {
+            return Err(SceneError::LostDistance { reach, distance });
+        }
+        Ok(distance)
+    }
+
     /// Whether the two fly straight, so that once receding they recede for ever.
     pub(crate) fn is_straight(&self) -> bool {
         self.flights.iter().all(Flight::is_straight)
@@ -275,10 +291,7 @@ mod tests {
 
     #[test]
     fn a_pair_that_gravity_rights_at_once_does_not_meet_from_afar() {
-        let tilted = [
-            Vector3::new(0.6, -0.8, 0.0),
-            Vector3::new(-0.8, -0.6, 0.0),
-        ];
+        let tilted = [Vector3::new(0.6, -0.8, 0.0), Vector3::new(-0.8, -0.6, 0.0)];
         for heavy in [1e10, 1e30, 1e100, 1e300] {
             let met = pair(13.0, heavy, tilted).contact(3.0, 100.0, 100_000);
             assert_eq!(met, Ok(None), "{heavy:e}");
@@ -287,10 +300,7 @@ mod tests {
 
     #[test]
     fn straight_paths_are_nearest_where_the_way_between_is_across_their_relative_velocity() {
-        let headings = [
-            Vector3::new(0.6, 0.8, 0.0),
-            Vector3::new(-0.48, 0.6, 0.64),
-        ];
+        let headings = [Vector3::new(0.6, 0.8, 0.0), Vector3::new(-0.48, 0.6, 0.64)];
         let flight = pair(20.0, 0.0, headings);
         let time = flight.closest_approach(1e3);
         let apart = |t: f64| flight.distance(t).0;

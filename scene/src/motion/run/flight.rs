@@ -26,12 +26,14 @@ impl<const N: usize> Runner<'_, '_, N> {
         let left = self.options.end_time - self.t;
         let contact = flight.contact(one + two + cut.eps(), left, self.options.max_steps)?;
         let nearest = flight.closest_approach(contact.unwrap_or(left));
-        self.min_gap = self.min_gap.min(flight.distance(nearest).0 - (one + two));
+        let distance = flight.told_distance(nearest)?;
+        self.min_gap = self.min_gap.min(distance - (one + two));
         // A straight pair that misses has parted when it begins to recede; one that keeps its distance never does.
         let keeps = flight.keeps_distance();
         let parted = contact.is_none() && flight.is_straight() && nearest < left && !keeps;
         let duration = contact.unwrap_or(if parted { nearest } else { left });
-        let end = self.t + duration;
+        // Rounding brings no run beyond its end.
+        let end = (self.t + duration).min(self.options.end_time);
         let from = self.t;
         self.recorder.record_between(end, |t| flown(t - from));
         if !flight.is_straight() || keeps {
@@ -40,6 +42,7 @@ impl<const N: usize> Runner<'_, '_, N> {
         if contact != Some(0.0) {
             self.now = flown(duration);
         }
+        flight.told_distance(duration)?;
         // Speeds may take a pair farther than numbers reach: that is no outcome.
         let Configuration { midpoint, line, .. } = self.now;
         for coordinate in midpoint.iter().chain(line.iter()) {
