@@ -235,6 +235,30 @@ fn a_gap_that_the_meshes_do_not_resolve_is_an_error_not_a_load() {
 }
 
 #[test]
+fn in_units_that_are_half_as_long_the_smallest_resolved_gap_is_twice_as_large() {
+    // Unlike spheres, of which the second one is met far from its pole.
+    let resolved = |unit: f64| {
+        let sphere = |at: [f64; 3], radius: f64| {
+            Body::rigid(Vector3::from(at) * unit).with_radius(radius * unit)
+        };
+        let bodies = [
+            sphere([-1.51, 0.0, 0.0], 0.5),
+            sphere([0.0; 3], 1.0),
+            sphere([0.0, 1.72, 0.0], 0.7),
+        ];
+        match Lab::new(1, &bodies).unwrap_err() {
+            BemError::GapUnresolved {
+                spheres: Some((1, 2)),
+                resolved,
+                ..
+            } => resolved,
+            error => panic!("{error}"),
+        }
+    };
+    assert_relative_eq!(resolved(2.0), 2.0 * resolved(1.0), max_relative = 1e-9);
+}
+
+#[test]
 fn a_gap_to_the_second_nearest_neighbour_is_looked_at_too() {
     // Sphere 1 turns its mesh to sphere 0, and sphere 2 has no nearer neighbour than sphere 1.
     let at = |eps: f64| {
