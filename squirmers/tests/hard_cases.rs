@@ -66,7 +66,7 @@ fn bad_arguments_are_refused_in_one_line() {
         (
             ["--only", "files"],
             "'files' is not a group: use contact, no-repulsion, stiff-forces, standoff, \
-             separatrix, long-runs, out-of-plane, far, boundary-elements, machine",
+             separatrix, long-runs, out-of-plane, far, boundary-elements, starts, tangents, unlike-radii, submissions, machine",
         ),
         (["--only", "far,far"], "twice"),
         (["--only", ""], "--only"),

@@ -22,6 +22,11 @@ pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
             extremes(model, rows)
         });
     }
+    for model in bench.models() {
+        rows.attempt(model.method().name(), "read beside", |rows| {
+            read_beside(model, rows)
+        });
+    }
     rows.attempt(ALL, "threads", |rows| threads(bench, rows));
 }
 
@@ -150,6 +155,51 @@ fn extremes(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         measure,
         (0.0, "a typed error or finite numbers"),
         wrong.len() as f64,
+    );
+    Ok(())
+}
+
+/// Each mobility has the same bits whatever is read beside it: sums of several columns of a table run side by side in the lanes of the processor.
+fn read_beside(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
+    let sets = [
+        LoadSet::axial(1),
+        LoadSet::axial(2),
+        LoadSet::planar(0),
+        LoadSet::planar(1),
+        LoadSet::planar(2),
+    ];
+    let (mut differ, mut count) = (0_u32, 0_u32);
+    for k in 0..20 {
+        let gap = Gap::from_ln(4.0 - 0.45 * f64::from(k));
+        if model.range().check(gap).is_err() {
+            continue;
+        }
+        let all = MobilitySet {
+            loads: LoadSet::all(2),
+            torque: true,
+        };
+        let whole = model.mobility(gap, all)?.named(all);
+        for loads in sets {
+            for torque in [false, true] {
+                let read = MobilitySet { loads, torque };
+                for (name, value) in model.mobility(gap, read)?.named(read) {
+                    let same = whole.iter().any(|(of_whole, of_it)| {
+                        *of_whole == name && of_it.to_bits() == value.to_bits()
+                    });
+                    differ += u32::from(!same);
+                    count += 1;
+                }
+            }
+        }
+    }
+    rows.add(
+        model.method().name(),
+        format!("of {count} mobilities read with few others: those whose bits differ from those read with all"),
+        (
+            0.0,
+            "each is one sum in one order, alone or beside others in the lanes of the processor",
+        ),
+        f64::from(differ),
     );
     Ok(())
 }

@@ -13,8 +13,12 @@ mod panels;
 mod rows;
 mod separatrix;
 mod standoff;
+mod starts;
 mod stiff;
+mod submissions;
 mod suction;
+mod tangents;
+mod unlike;
 
 use std::sync::{Mutex, PoisonError};
 
@@ -88,7 +92,7 @@ fn orbits_and_oscillations(bench: &Bench, rows: &mut Rows) {
 }
 
 /// All groups.
-pub static GROUPS: [Group; 10] = [
+pub static GROUPS: [Group; 14] = [
     Group {
         name: "contact",
         hazard: "loads diverge: numbers overflow, digits cancel, a mobility is not positive",
@@ -133,6 +137,26 @@ pub static GROUPS: [Group; 10] = [
         name: "boundary elements",
         hazard: "an answer is wrong and does not say so",
         run: boundary_elements::cases,
+    },
+    Group {
+        name: "starts",
+        hazard: "a run that starts where another one changes or ends does something else than its neighbours",
+        run: starts::cases,
+    },
+    Group {
+        name: "tangents",
+        hazard: "at contact derivatives lose digits in what diverges",
+        run: tangents::cases,
+    },
+    Group {
+        name: "unlike radii",
+        hazard: "one sphere is a hundred times as large: digits cancel, or the answer depends on which is named first",
+        run: unlike::cases,
+    },
+    Group {
+        name: "submissions",
+        hazard: "numbers that nobody means come out as a motion that is none",
+        run: submissions::cases,
     },
     Group {
         name: "machine",

@@ -42,8 +42,9 @@ pub(super) fn section(
 }
 
 const PROSE: &str = "Contact, stiff forces, unstable states, long orbits and oscillations, broken symmetry, large \
-    distances, the worst panels, random gaps, and numbers at the ends of the machine's range. Each value is \
-    measured and compared with a bound. The bound follows from rounding, from the tolerance or from a closed form.";
+    distances, the worst panels, random gaps, starts where runs change or end, tangents from contact, very unlike \
+    radii, hostile submissions, and numbers at the ends of the machine's range. Each value is measured and compared \
+    with a bound. The bound follows from rounding, from the tolerance or from a closed form.";
 
 const LEFT_OUT: &str = "Left out: the hard cases are about all methods, and --method does not name exact. \
     `squirmers hard-cases` runs them.";

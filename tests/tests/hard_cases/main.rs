@@ -59,5 +59,9 @@ groups! {
     val_the_spatial_code_is_the_planar_one_in_the_plane: "out of plane",
     val_tables_join_and_tend_to_reflections_far_out: "far",
     val_boundary_elements_are_within_their_estimate_or_refuse: "boundary elements",
+    val_starts_on_a_surface_or_at_infinity_are_the_limits_of_their_neighbours: "starts",
+    val_tangents_from_contact_are_differences_of_runs: "tangents",
+    val_a_pair_of_very_unlike_radii_moves_the_same_whoever_is_named_first: "unlike radii",
+    val_hostile_submissions_are_refused_or_move_a_pair: "submissions",
     val_extreme_numbers_and_threads_do_no_harm: "machine",
 }
