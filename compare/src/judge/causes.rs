@@ -423,3 +423,6 @@ fn signs(points: &[Point], stated: f64) -> Option<Kind> {
     let gaps: Vec<f64> = wrong.map(|(_, point)| point.gap).collect();
     Some(Kind::SignAt(*gaps.first()?, *gaps.last()?))
 }
+
+#[cfg(test)]
+mod tests;
