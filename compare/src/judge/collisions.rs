@@ -264,3 +264,6 @@ impl BoundComparison {
         )
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -209,3 +209,6 @@ pub(super) fn third_law(contacts: &[Contact]) -> Vec<(String, f64)> {
     laws.extend(torques);
     laws
 }
+
+#[cfg(test)]
+mod tests;

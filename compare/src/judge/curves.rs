@@ -98,3 +98,6 @@ impl Scorecard {
         curves
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -446,3 +446,6 @@ fn largest(errors: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
         if error.0 > worst.0 { error } else { worst }
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -161,3 +161,6 @@ pub(super) fn decays(items: &[(Item, Vec<Point>)]) -> Vec<Decay> {
     }
     decays
 }
+
+#[cfg(test)]
+mod tests;

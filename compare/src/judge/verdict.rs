@@ -344,3 +344,6 @@ impl Scorecard {
         lines
     }
 }
+
+#[cfg(test)]
+mod tests;
