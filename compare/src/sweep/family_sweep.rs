@@ -203,3 +203,6 @@ fn csv_record(fields: &[&str]) -> Result<String, CompareError> {
     let line = csv_lines(&[fields])?;
     Ok(line.trim_end_matches('\n').to_owned())
 }
+
+#[cfg(test)]
+mod tests;

@@ -53,3 +53,6 @@ pub fn checked_time_limit(seconds: Option<f64>) -> Result<Option<Duration>, Comp
     });
     limit.transpose()
 }
+
+#[cfg(test)]
+mod tests;

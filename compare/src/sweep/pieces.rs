@@ -314,3 +314,6 @@ impl Kept<'_> {
         Ok(done > finished || (skipped == 0 && done > 0))
     }
 }
+
+#[cfg(test)]
+mod tests;
