@@ -302,6 +302,11 @@ impl<'a, 'b, const N: usize> Runner<'a, 'b, N> {
         })
     }
 
+    /// Counts time in contact, which rounding of the sum brings to no more than the time so far.
+    fn add_contact(&mut self, from: f64, to: f64) {
+        self.contact_time = (self.contact_time + (to - from).max(0.0)).min(to);
+    }
+
     fn run_without_cutoff(&mut self) -> Result<Outcome, SceneError> {
         // Under gravity squirmers turn and may meet again: only time ends such a run.
         let departure = match self.motion.gravity() {
@@ -436,7 +441,7 @@ impl<'a, 'b, const N: usize> Runner<'a, 'b, N> {
             chart.decode(&carried, &earlier)
         });
         self.min_gap = self.min_gap.min(end.gap.eps());
-        self.contact_time += left;
+        self.add_contact(from, self.options.end_time);
         self.settled = Some(from);
         self.now = end;
         self.t = self.options.end_time;

@@ -374,9 +374,32 @@ fn no_run_ends_after_its_end() {
         };
         let run = run_plan(&plan, &cut, &options).unwrap();
         assert!(run.end_time <= end_time, "{} > {end_time}", run.end_time);
+        assert!(run.contact_time <= run.end_time, "{end_time}: {run:?}");
         flights += run.counters.flights;
     }
     assert!(flights >= 200, "{flights}");
+}
+
+#[test]
+fn no_pair_is_in_contact_for_longer_than_its_run() {
+    // So slow that a few long steps lead to the end.
+    let slow = Squirmer::with_beta(1e-4, 1.0).unwrap();
+    let start = [
+        pose([0.0; 3], [0.7, 0.1, 0.0]),
+        pose([2.2, 0.3, 0.1], [0.6, 0.2, 0.7]),
+    ];
+    let scene = Scene::new([slow; 2], start, None, None).unwrap();
+    let plan = Plan::new(&scene).unwrap();
+    for k in 0..300 {
+        let options = RunOptions {
+            tolerance: 1e-4,
+            end_time: 20.0 + 0.0371 * f64::from(k),
+            sample_interval: None,
+            ..TIGHT
+        };
+        let run = run_plan(&plan, &MODEL, &options).unwrap();
+        assert!(run.contact_time <= run.end_time, "{run:?}");
+    }
 }
 
 #[test]

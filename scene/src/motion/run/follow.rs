@@ -128,7 +128,7 @@ impl<const N: usize> Runner<'_, '_, N> {
             crossing(Direction::Rising)
         };
         if let (Some(enters), Some(leaves)) = (enters, leaves) {
-            self.contact_time += (leaves.min(t) - enters).max(0.0);
+            self.add_contact(enters, leaves.min(t));
         }
     }
 }
