@@ -88,3 +88,6 @@ fn comparison_row(encounters: &[Encounter], case: &Case, k: usize) -> Comparison
         outcomes: format!("{} / {}", outcome(Method::Lt), outcome(Method::Exact)),
     }
 }
+
+#[cfg(test)]
+mod tests;

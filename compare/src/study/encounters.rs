@@ -360,3 +360,6 @@ impl EncounterSweep<'_> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

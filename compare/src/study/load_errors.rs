@@ -75,3 +75,6 @@ pub fn load_errors(
         .collect::<Result<Vec<Vec<_>>, SceneError>>()?;
     Ok(rows.concat())
 }
+
+#[cfg(test)]
+mod tests;

@@ -175,3 +175,6 @@ fn offset_row(reference: &Encounter, offset: &Encounter) -> OffsetRow {
 fn angle_between(a: Vector3<f64>, b: Vector3<f64>) -> f64 {
     a.cross(&b).norm().atan2(a.dot(&b))
 }
+
+#[cfg(test)]
+mod tests;

@@ -142,6 +142,22 @@ fn a_factor_below_a_gap_is_told_with_the_last_gap_that_it_spoils() {
         (factor - 1.02).abs() < 1e-12 && (0.04..0.05).contains(&below),
         "{found:?}"
     );
+    // One gap beyond or below is too few for that.
+    for edge in [1.05e-3, 37.0] {
+        let found = told(&points("x12a", falls, |gap| {
+            if gap < edge {
+                1.02 * falls(gap)
+            } else {
+                falls(gap)
+            }
+        }));
+        assert!(
+            !found
+                .iter()
+                .any(|kind| matches!(kind, Kind::FactorBelow(..))),
+            "{edge}: {found:?}"
+        );
+    }
     // Two that end at different gaps are two faults; two that end at one are one.
     let fault = |name: &str, below: f64| {
         let item = Item::Quantity(Quantity::named(name).unwrap());
@@ -170,6 +186,15 @@ fn straight_lines_between_some_gaps_are_a_table_and_one_straight_line_is_a_formu
             "{found:?}"
         );
     }
+    // A value that does not change is no line of a table.
+    let steps = |gap: f64| falls(10f64.powf((4.0 * gap.log10()).floor() / 4.0));
+    let found = told(&points("x12a", falls, steps));
+    assert!(
+        !found
+            .iter()
+            .any(|kind| matches!(kind, Kind::StraightLines(_))),
+        "{found:?}"
+    );
     for formula in [|gap: f64| 1.0 - 0.02 * gap, |gap: f64| 0.9 - 0.1 * gap.ln()] {
         let found = told(&points("x12a", falls, formula));
         assert!(
@@ -324,4 +349,21 @@ fn what_is_felt_at_too_few_gaps_joins_the_factor_that_fits() {
     );
     // Another factor joins nothing.
     assert!(kinds(2.0, -1.0).iter().all(|(_, items)| *items == 1));
+}
+
+#[test]
+fn noise_is_relative_to_the_larger_of_the_truth_and_one() {
+    let at = |truth: f64| Point {
+        truth,
+        ..points("x12a", falls, falls)[0]
+    };
+    for (truth, stated, size) in [
+        (0.5, 0.0, NOISE),
+        (0.5, 1e-3, 3e-3),
+        (-20.0, 1e-3, 6e-2),
+        (20.0, 1e-9, NOISE),
+    ] {
+        let found = noise(&at(truth), stated);
+        assert!((found - size).abs() < 1e-12, "{truth} {stated}: {found}");
+    }
 }

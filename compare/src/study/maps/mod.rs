@@ -153,3 +153,6 @@ impl Maps<'_> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests;
