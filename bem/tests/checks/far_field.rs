@@ -153,3 +153,32 @@ fn val_pairs_on_a_mesh_stop_turning_as_they_part() {
         assert!(worst < 0.01, "{off:?}");
     }
 }
+
+/// The method of reflections (Kim & Karrila 2005, chapter 11): the next terms are smaller by `1/r^2`, with factors below 5. At such distances panels are
+/// integrated by the rules of fewest points.
+#[test]
+fn val_loads_of_spheres_far_apart_are_those_of_the_first_reflections() {
+    let model = Bem::new(1).unwrap();
+    let lone = model
+        .loads(Gap::new(1e9).unwrap(), LoadSet::all(0))
+        .unwrap();
+    for eps in [6.0, 14.0, 30.0, 60.0, 120.0, 250.0, 1e3] {
+        let gap = Gap::new(eps).unwrap();
+        let r = gap.distance();
+        let loads = model.loads(gap, LoadSet::all(0)).unwrap();
+        for (name, found, expected) in [
+            ("X11A", loads.xa.own() - lone.xa.own(), 2.25 / (r * r)),
+            ("X12A", loads.xa.other(), -1.5 / r),
+            ("Y11A", loads.ya.own() - lone.ya.own(), 0.5625 / (r * r)),
+            ("Y12A", loads.ya.other(), -0.75 / r),
+            ("Y12B", loads.yb.other(), 1.5 / (r * r)),
+        ] {
+            // A lone sphere's drag is off by 1e-4 at this level, and enters twice.
+            let bound = 5.0 / r.powi(3) + 5e-4 * expected.abs();
+            assert!(
+                (found - expected).abs() < bound,
+                "{name} at {eps}: {found}, {expected}"
+            );
+        }
+    }
+}

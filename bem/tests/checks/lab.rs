@@ -49,6 +49,27 @@ fn a_force_moves_a_sphere_along_it() {
     assert_relative_eq!(motion.velocity, Vector3::y(), epsilon = 1e-4);
 }
 
+/// The flow of a force falls as `F (I + x x/|x|^2)/(8 pi |x|)`. So far away panels are integrated with the fewest points.
+#[test]
+fn val_a_pulled_sphere_drags_others_along_from_hundreds_to_thousands_of_radii_away() {
+    let pulled = Body {
+        force: 6.0 * PI * Vector3::y(),
+        ..Body::rigid(Vector3::zeros())
+    };
+    for distance in [30.0, 300.0, 2e3, 1e4, 1e5] {
+        let beside = Vector3::new(0.6, 0.8, 0.0);
+        let bodies = [pulled.clone(), Body::rigid(beside * distance)];
+        let motions = Lab::new(1, &bodies).unwrap().free_motions().unwrap();
+        let expected = 0.75 * (Vector3::y() + beside * beside.y) / distance;
+        assert_relative_eq!(
+            motions[1].velocity,
+            expected,
+            epsilon = (1e-3 + 2.0 / (distance * distance)) / distance
+        );
+        assert_relative_eq!(motions[0].velocity, Vector3::y(), epsilon = 2e-3);
+    }
+}
+
 /// Loads by unit motions of sphere 1 beside a still sphere 2, along z.
 fn sphere_1_moves(lab: &Lab, motion: Motion) -> [bem::Load; 2] {
     let loads = lab.loads(&[motion, STILL]).unwrap();
