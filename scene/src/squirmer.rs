@@ -205,3 +205,37 @@ pub(crate) fn finite(what: &'static str, value: f64) -> Result<f64, SceneError> 
         Err(SceneError::NotFinite { what, value })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::float_cmp, reason = "exactly what was given")]
+    use super::*;
+
+    #[test]
+    fn a_squirmer_has_what_it_was_given_and_its_torque_goes_as_the_square_of_its_radius() {
+        let plain = Squirmer::with_beta(2.0, -3.0).unwrap();
+        assert_eq!(plain.modes(), [3.0, -9.0]);
+        assert!((plain.swimming_speed() - 2.0).abs() < 1e-15);
+        assert!(
+            plain.bottom_heaviness() == 0.0 && plain.radius() == 1.0 && plain.swirl().is_empty()
+        );
+        let heavy = plain
+            .bottom_heavy(5.0)
+            .and_then(|s| s.with_radius(0.5))
+            .unwrap();
+        assert!(heavy.bottom_heaviness() == 5.0 && heavy.radius() == 0.5);
+        let torque = 2.0 * 5.0 / std::f64::consts::PI * 0.25;
+        assert!(
+            (heavy.gravity_torque() - torque).abs() < 1e-14,
+            "{}",
+            heavy.gravity_torque()
+        );
+        let swirling = heavy.with_swirl(&[0.0, 0.4]).unwrap();
+        assert_eq!(swirling.swirl(), [0.0, 0.4]);
+        // Modes up to the last that is not zero.
+        assert_eq!(
+            Squirmer::new(&[1.0, 0.0, 2.0, 0.0]).unwrap().modes(),
+            [1.0, 0.0, 2.0]
+        );
+    }
+}

@@ -243,3 +243,39 @@ pub(crate) fn add_swirl_by<T: Transverse>(
     velocity.spin = across.spin;
     axial
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::LoadSet;
+
+    #[test]
+    fn each_coefficient_has_one_name_by_either_squirmer_and_repulsion_is_one_cause() {
+        let set = MobilitySet {
+            loads: LoadSet::all(2).with_swirl(1),
+            torque: true,
+        };
+        let of_one = MobilityOfEach::default().by[0].named(set);
+        let by_repulsion = |name: &str| name.ends_with(" by f");
+        let once = of_one.iter().filter(|(name, _)| by_repulsion(name)).count();
+        let named = MobilityOfEach::default().named(set);
+        assert!(once > 0);
+        assert_eq!(named.len(), 2 * (of_one.len() - once) + once + 1);
+        let names: std::collections::BTreeSet<&str> =
+            named.iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(names.len(), named.len(), "{names:#?}");
+        for (one, two) in [
+            (
+                "opening, d(ln eps)/dt by q1, mode 2",
+                "opening, d(ln eps)/dt by q2, mode 2",
+            ),
+            (
+                "mean velocity along d by q1, mode 1",
+                "mean velocity along d by q2, mode 1",
+            ),
+        ] {
+            assert!(names.contains(one) && names.contains(two), "{names:#?}");
+        }
+        assert!(names.contains("mean velocity along d by f"));
+    }
+}

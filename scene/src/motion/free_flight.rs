@@ -308,4 +308,24 @@ mod tests {
         // By hand: 20 times 1.08 over 1.08^2 + 0.2^2 + 0.64^2.
         assert_relative_eq!(time, 21.6 / 1.616, max_relative = 1e-14);
     }
+
+    #[test]
+    fn curved_paths_are_nearest_where_a_fine_grid_finds_them() {
+        let headings = [
+            Vector3::new(0.96, -0.28, 0.0),
+            Vector3::new(-0.8, -0.48, 0.36),
+        ];
+        for heavy in [0.2, 1.0, 4.0] {
+            let flight = pair(8.0, heavy, headings);
+            for duration in [0.5, 3.0, 40.0] {
+                let time = flight.closest_approach(duration);
+                assert!((0.0..=duration).contains(&time), "{time} of {duration}");
+                let found = flight.distance(time).0;
+                let least = (0..=20_000)
+                    .map(|k| flight.distance(duration * f64::from(k) / 20_000.0).0)
+                    .fold(f64::INFINITY, f64::min);
+                assert!(found < least + 1e-9, "{heavy} {duration}: {found} {least}");
+            }
+        }
+    }
 }

@@ -145,3 +145,38 @@ impl Dynamics<6> for Planar {
         ]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn val_a_pair_that_turns_steadily_goes_on_along_a_circle() {
+        let chart = Planar { z: 0.0 };
+        let y = [1.0, -2.0, 0.3, -1.0, 0.2, 0.4];
+        let (u, v) = (0.7, -0.2);
+        for rate in [0.0, 1e-9, 1e-5, 1e-3, 0.4, -3.0] {
+            let dy = [u, v, rate, 0.0, 0.0, 0.0];
+            for t in [0.1, 1.0, 7.0] {
+                let carried = chart.carried_on(&y, &dy, t).unwrap();
+                let turned = rate * t;
+                // The integral of the velocity as it turns.
+                let [along, across] = if turned.abs() < 1e-6 {
+                    [t, 0.5 * t * turned]
+                } else {
+                    let half = (0.5 * turned).sin();
+                    [turned.sin() / rate, 2.0 * half * half / rate]
+                };
+                let expected = [y[0] + u * along - v * across, y[1] + u * across + v * along];
+                for k in [0, 1] {
+                    assert!(
+                        (carried[k] - expected[k]).abs() < 1e-12 * (1.0 + t),
+                        "{rate} {t}: {carried:?} {expected:?}"
+                    );
+                }
+                assert!((carried[THETA] - y[THETA] - turned).abs() < 1e-15 * (1.0 + turned.abs()));
+                assert_eq!(carried[3..], y[3..]);
+            }
+        }
+    }
+}
