@@ -316,4 +316,19 @@ mod tests {
             assert!(pair.torques[k].cross(&p).y > 0.0);
         }
     }
+
+    #[test]
+    fn a_point_lies_within_the_sphere_that_it_is_nearer_to_than_its_radius() {
+        let plan = Plan::new(&scene(&[], 0.0)).unwrap();
+        let pair = MovingPair::free(&plan, &Isolated::EQUAL, plan.start()).unwrap();
+        let direction = Vector3::new(0.48, 0.6, 0.64);
+        for (k, centre) in pair.configuration.positions().into_iter().enumerate() {
+            for (away, within) in [(0.0, true), (0.99, true), (1.0, false), (1.01, false)] {
+                // To the side on which the other one is not.
+                let side = if k == 0 { -1.0 } else { 1.0 };
+                let found = pair.within(&(centre + direction * (side * away)));
+                assert_eq!(found, within.then_some(k), "{away} from {k}");
+            }
+        }
+    }
 }
