@@ -113,3 +113,45 @@ pub fn jeffrey_onishi(loads: &[ActiveLoads; 2], ratio: f64) -> Vec<(&'static str
         ("Y22C", two.yc.own()),
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::float_cmp, reason = "the very numbers that were put in")]
+    use super::*;
+    use crate::loads::tests::counted;
+
+    #[test]
+    fn loads_of_unlike_spheres_name_the_loaded_sphere_and_then_the_active_one() {
+        let (pair, swirl) = counted(LoadSet::all(1).with_swirl(1));
+        let loads = ActiveLoads {
+            pair,
+            torque_on_other: 99.0,
+            swirl,
+        };
+        for (active, other) in [(1, 2), (2, 1)] {
+            let named = loads.named(active);
+            let of = |name: String| {
+                let found: Vec<f64> = named
+                    .iter()
+                    .filter(|(other, _)| *other == name)
+                    .map(|(_, value)| *value)
+                    .collect();
+                assert_eq!(found.len(), 1, "{name} in {named:?}");
+                found[0]
+            };
+            for (name, value) in [
+                (format!("X{active}{active}A"), 1.0),
+                (format!("X{other}{active}A"), 2.0),
+                (format!("Y{active}{active}B"), 5.0),
+                (format!("Y{other}{active}B"), 99.0),
+                (format!("Y{other}{active}B_force"), 6.0),
+                (format!("X{active}{active}C"), 7.0),
+                (format!("Y{other}{active}C"), 10.0),
+                (format!("XF{active}{active}_1"), 11.0),
+                (format!("YT{other}{active}_1"), 16.0),
+            ] {
+                assert_eq!(of(name), value);
+            }
+        }
+    }
+}

@@ -181,4 +181,26 @@ mod tests {
         assert!(unit("heading", Vector3::new(1.0, f64::NAN, 0.0)).is_err());
         assert!(unit("heading", Vector3::new(f64::INFINITY, 0.0, 0.0)).is_err());
     }
+
+    #[test]
+    fn a_direction_of_any_length_becomes_one_of_unit_length() {
+        let towards = Vector3::new(1.0, -2.0, 2.0);
+        for size in [1e-300, 1e-150, 1e-3, 1.0, 7.0, 1e150, 1e300] {
+            let found = unit("direction", towards * size).unwrap();
+            assert!((found - towards / 3.0).norm() < 1e-15, "{size:e}: {found}");
+        }
+        // Already of unit length: not a bit changes.
+        let exact = Vector3::new(0.6, 0.8, 0.0);
+        assert_eq!(unit("direction", exact).unwrap(), exact);
+        for none in [
+            Vector3::zeros(),
+            Vector3::new(f64::NAN, 1.0, 0.0),
+            Vector3::new(f64::INFINITY, 0.0, 0.0),
+        ] {
+            assert!(matches!(
+                unit("direction", none),
+                Err(SceneError::NoDirection { .. })
+            ));
+        }
+    }
 }

@@ -77,3 +77,28 @@ impl Hydrodynamics for Isolated {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::MAX_MODES;
+
+    #[test]
+    fn spheres_without_interaction_say_which_radii_they_have_and_have_no_error_to_state() {
+        assert_eq!(Isolated::EQUAL.fingerprint(), "isolated");
+        assert_eq!(
+            Isolated::of_ratio(2.5).fingerprint(),
+            "isolated, radii 1 to 2.5"
+        );
+        let gap = Gap::new(0.1).unwrap();
+        assert_eq!(
+            Isolated::EQUAL.error_estimate(gap, LoadSet::all(2)),
+            Ok(None)
+        );
+        assert!(
+            Isolated::EQUAL
+                .error_estimate(gap, LoadSet::all(MAX_MODES + 1))
+                .is_err()
+        );
+    }
+}

@@ -27,8 +27,6 @@ pub mod loads;
 mod made;
 pub mod mobility;
 pub mod motion;
-#[cfg(test)]
-mod names_tests;
 pub mod ode;
 mod plan;
 mod ratio;

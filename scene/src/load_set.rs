@@ -316,4 +316,25 @@ mod tests {
         assert_eq!(turning.union(LoadSet::planar(2)), LoadSet::all(2));
         assert_eq!(axial.of_any_pair(), axial);
     }
+
+    #[test]
+    fn sets_have_as_many_modes_as_loads_hold() {
+        for set in [
+            LoadSet::all(MAX_MODES),
+            LoadSet::all(0).with_swirl(MAX_MODES),
+        ] {
+            assert!(set.check().is_ok());
+        }
+        for (set, modes) in [
+            (LoadSet::all(MAX_MODES + 1), MAX_MODES + 1),
+            (LoadSet::all(MAX_MODES + 3).with_swirl(1), MAX_MODES + 3),
+            (LoadSet::all(1).with_swirl(MAX_MODES + 2), MAX_MODES + 2),
+        ] {
+            let refused = SceneError::TooManyModes {
+                modes,
+                allowed: MAX_MODES,
+            };
+            assert_eq!(set.check(), Err(refused));
+        }
+    }
 }

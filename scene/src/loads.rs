@@ -317,3 +317,6 @@ impl PairLoads {
         .unwrap_or_default()
     }
 }
+
+#[cfg(test)]
+pub(crate) mod tests;

@@ -220,6 +220,26 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
+    /// A pair along x at a distance of the centres, with headings of its own, bottom-heavy or not.
+    fn pair(distance: f64, heavy: f64, headings: [Vector3<f64>; 2]) -> PairFlight {
+        let squirmer = Squirmer::with_beta(1.0, 0.0)
+            .and_then(|s| s.bottom_heavy(heavy))
+            .unwrap();
+        let gravity = (heavy > 0.0).then_some(Gravity::DOWN);
+        let flight = |x: f64, p| Flight::new(&squirmer, Vector3::new(x, 0.0, 0.0), p, gravity);
+        let start = Configuration {
+            radii: [1.0; 2],
+            gap: Gap::new(distance - 2.0).unwrap(),
+            midpoint: Vector3::x() * (0.5 * distance),
+            line: Vector3::x(),
+            orientations: headings,
+            line_angle_rad: 0.0,
+            angles_rad: headings.map(|p| p.y.atan2(p.x)),
+        };
+        let flights = [flight(0.0, headings[0]), flight(distance, headings[1])];
+        PairFlight { start, flights }
+    }
+
     #[test]
     fn paths_that_only_touch_do_not_meet() {
         let squirmer = Squirmer::with_beta(1.0, 0.0).unwrap();
@@ -249,44 +269,9 @@ mod tests {
 
     #[test]
     fn a_pair_that_swims_upward_side_by_side_at_the_distance_of_contact_does_not_meet() {
-        let squirmer = Squirmer::with_beta(1.0, 0.0)
-            .and_then(|s| s.bottom_heavy(3.0))
-            .unwrap();
-        let flights = [(-1.5, 1e-9), (1.5, 2e-9)].map(|(x, tilt): (f64, f64)| {
-            let p = Vector3::new(tilt.sin(), tilt.cos(), 0.0);
-            Flight::new(&squirmer, Vector3::new(x, 0.0, 0.0), p, Some(Gravity::DOWN))
-        });
-        let start = Configuration {
-            radii: [1.0; 2],
-            gap: Gap::from_ln(0.0),
-            midpoint: Vector3::zeros(),
-            line: Vector3::x(),
-            orientations: [Vector3::y(); 2],
-            line_angle_rad: 0.0,
-            angles_rad: [0.0; 2],
-        };
-        let flight = PairFlight { start, flights };
+        let headings = [1e-9_f64, 2e-9].map(|tilt| Vector3::new(tilt.sin(), tilt.cos(), 0.0));
+        let flight = pair(3.0, 3.0, headings);
         assert_eq!(flight.contact(3.0, 200.0, 1_000_000), Ok(None));
-    }
-
-    /// A pair along x at a distance of the centres, with headings and positions of its own.
-    fn pair(distance: f64, heavy: f64, headings: [Vector3<f64>; 2]) -> PairFlight {
-        let squirmer = Squirmer::with_beta(1.0, 0.0)
-            .and_then(|s| s.bottom_heavy(heavy))
-            .unwrap();
-        let gravity = (heavy > 0.0).then_some(Gravity::DOWN);
-        let flight = |x: f64, p| Flight::new(&squirmer, Vector3::new(x, 0.0, 0.0), p, gravity);
-        let start = Configuration {
-            radii: [1.0; 2],
-            gap: Gap::new(distance - 2.0).unwrap(),
-            midpoint: Vector3::x() * (0.5 * distance),
-            line: Vector3::x(),
-            orientations: headings,
-            line_angle_rad: 0.0,
-            angles_rad: headings.map(|p| p.y.atan2(p.x)),
-        };
-        let flights = [flight(0.0, headings[0]), flight(distance, headings[1])];
-        PairFlight { start, flights }
     }
 
     #[test]

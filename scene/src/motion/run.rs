@@ -466,3 +466,6 @@ impl<'a, 'b, const N: usize> Runner<'a, 'b, N> {
         failure.unwrap_or(SceneError::Stepper { source: error })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -265,4 +265,27 @@ mod tests {
             assert_eq!(state(&nudged), State::Spatial);
         }
     }
+
+    #[test]
+    fn a_motion_is_level_if_it_stays_in_a_plane_of_constant_z() {
+        let of = |headings: [[f64; 3]; 2], at: [f64; 3]| {
+            let pose = |position: [f64; 3], heading: [f64; 3]| Pose {
+                position: position.into(),
+                orientation: Orientation::Vector(heading.into()),
+            };
+            let squirmers = [1.0, 2.0].map(|beta| Squirmer::with_beta(1.0, beta).unwrap());
+            let start = [pose([0.0; 3], headings[0]), pose(at, headings[1])];
+            Plan::new(&Scene::new(squirmers, start, None, None).unwrap())
+                .unwrap()
+                .is_level()
+        };
+        let flat = [[0.6, 0.8, 0.0], [-0.8, 0.6, 0.0]];
+        assert!(of(flat, [4.0, 1.0, 0.0]));
+        assert!(!of(flat, [4.0, 1.0, 0.5]));
+        // Along the line of centres, level and not.
+        assert!(of([[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0]], [4.0, 0.0, 0.0]));
+        assert!(!of([[0.0, 0.6, 0.8], [0.0, -0.6, -0.8]], [0.0, 2.4, 3.2]));
+        // In a plane that is tilted.
+        assert!(!of([[0.0, 0.6, 0.8], [1.0, 0.0, 0.0]], [0.0, 2.4, 3.2]));
+    }
 }
