@@ -7,13 +7,10 @@ use scene::{Gap, Hydrodynamics, LoadSet, PairLoads, Squirmer};
 use serde::Deserialize;
 
 use super::rows::larger;
-use super::{Bench, Rows};
+use super::{Bench, ROUNDING, Rows};
 use crate::{CompareError, Method, Model};
 
 const LOADS: LoadSet = LoadSet::all(2);
-
-/// Largest relative error of one rounding.
-const ROUNDING: f64 = 0.5 * f64::EPSILON;
 
 /// Velocities by lubrication theory to 50 digits; the script that computed them is in the same folder.
 const VELOCITIES: &str = fixtures::CONTACT_VELOCITIES;

@@ -5,7 +5,7 @@ use scene::mobility::{External, Heading, MobilitySet, pair_velocity};
 use scene::{FAR_GAP, Gap, Hydrodynamics, LoadSet, Orientation, PairLoads, Pose, Scene, Squirmer};
 
 use super::rows::larger;
-use super::{Bench, MESH, Rows, until};
+use super::{Bench, MESH, READ, Rows, until};
 use crate::{CompareError, Method, Model};
 
 const LOADS: LoadSet = LoadSet::all(2);
@@ -29,12 +29,6 @@ pub(super) fn cases(bench: &Bench, rows: &mut Rows) {
         });
     }
 }
-
-/// What any pair reads.
-const READ: MobilitySet = MobilitySet {
-    loads: LOADS,
-    torque: true,
-};
 
 fn columns(model: &Model, eps: f64) -> Result<Vec<f64>, CompareError> {
     let mobility = model.mobility(Gap::new(eps)?, READ)?;

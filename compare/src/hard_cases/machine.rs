@@ -10,7 +10,7 @@ use scene::{
     SceneError, Squirmer, TableOptions, Tabulated,
 };
 
-use super::{Bench, Rows, until};
+use super::{Bench, READ, Rows, until};
 use crate::{Approach, Case, CompareError, Model};
 
 /// In the column `method`: the row is about all of them.
@@ -66,13 +66,9 @@ fn extremes(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         {
             wrong.push(format!("loads at gap {eps:e}"));
         }
-        let read = MobilitySet {
-            loads: LoadSet::all(2),
-            torque: true,
-        };
-        if let Ok(mobility) = model.mobility(gap, read)
+        if let Ok(mobility) = model.mobility(gap, READ)
             && !mobility
-                .named(read)
+                .named(READ)
                 .iter()
                 .all(|(_, value)| value.is_finite())
         {
@@ -174,11 +170,7 @@ fn read_beside(model: &Model, rows: &mut Rows) -> Result<(), CompareError> {
         if model.range().check(gap).is_err() {
             continue;
         }
-        let all = MobilitySet {
-            loads: LoadSet::all(2),
-            torque: true,
-        };
-        let whole = model.mobility(gap, all)?.named(all);
+        let whole = model.mobility(gap, READ)?.named(READ);
         for loads in sets {
             for torque in [false, true] {
                 let read = MobilitySet { loads, torque };

@@ -22,7 +22,8 @@ mod unlike;
 
 use std::sync::{Mutex, PoisonError};
 
-use scene::RunOptions;
+use scene::mobility::MobilitySet;
+use scene::{LoadSet, RunOptions};
 
 use crate::watch::{Pieces, Progress};
 use crate::{CompareError, Method, Model, ModelOptions};
@@ -222,6 +223,15 @@ fn until(end_time: f64, tolerance: f64) -> RunOptions {
         ..RunOptions::default()
     }
 }
+
+/// Largest relative error of one rounding.
+const ROUNDING: f64 = 0.5 * f64::EPSILON;
+
+/// All that any pair of squirmers with two modes reads.
+const READ: MobilitySet = MobilitySet {
+    loads: LoadSet::all(2),
+    torque: true,
+};
 
 /// `1 + |y|` for the largest variable `y` of a collision: `ln eps` goes down to about -8.
 const SIZE: f64 = 10.0;

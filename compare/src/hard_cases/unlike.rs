@@ -4,19 +4,16 @@ use exact::Exact;
 use lt::{Form, UnlikeLubrication};
 use nalgebra::Vector3;
 use scene::{
-    Gap, Hydrodynamics, LoadSet, Orientation, Plan, Pose, Repulsion, Run, Scene, SceneError,
-    Squirmer, rates, run_plan,
+    Gap, Hydrodynamics, LoadSet, MovingPair, Orientation, Plan, Pose, Repulsion, Run, Scene,
+    SceneError, Squirmer, run_plan,
 };
 
 use super::rows::larger;
-use super::{Bench, Rows, stepping_error, until};
+use super::{Bench, ROUNDING, Rows, stepping_error, until};
 use crate::{CompareError, Method};
 
 /// Radius of the larger sphere over that of the smaller one.
 const RATIO: f64 = 100.0;
-
-/// Largest relative error of one rounding.
-const ROUNDING: f64 = 0.5 * f64::EPSILON;
 
 pub(super) fn cases(_: &Bench, rows: &mut Rows) {
     let lubrication = Method::LtCorrected.name();
@@ -92,10 +89,9 @@ fn motion(
     let unit = if small_first { 1.0 } else { RATIO };
     let mut at = *plan.start();
     at.gap = Gap::new(eps / unit)?;
-    let rates = rates(&plan, model, &at, 1)?;
-    let half = (at.line * (at.gap.eps() * rates.ln_gap) + rates.line * at.distance()) * 0.5;
-    let [one, two] = [rates.midpoint - half, rates.midpoint + half];
-    let [p, q] = rates.orientations;
+    let moving = MovingPair::free(&plan, model, &at)?;
+    let [one, two] = moving.velocities;
+    let [p, q] = [0, 1].map(|k| moving.angular_velocities[k].cross(&at.orientations[k]));
     Ok(if small_first {
         [two, one, q, p]
     } else {
