@@ -15,6 +15,8 @@ pub mod effects;
 mod error;
 pub mod hard_cases;
 pub mod judge;
+#[cfg(test)]
+mod made;
 mod method;
 mod model;
 mod model_options;

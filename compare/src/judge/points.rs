@@ -204,3 +204,28 @@ pub fn trusted_down_to<'a>(
     let within = points.map(|point| point.gap).filter(|&gap| gap > worst);
     within.reduce(f64::min)
 }
+
+/// Points as tests make them up.
+#[cfg(test)]
+pub(super) mod made {
+    use super::{Item, Point};
+    use crate::submission::Quantity;
+
+    /// The quantity of a name.
+    pub fn item(name: &str) -> Item {
+        Item::Quantity(Quantity::named(name).unwrap())
+    }
+
+    /// What is given of a quantity at a gap, beside the truth.
+    pub fn point(name: &str, gap: f64, value: f64, truth: f64) -> Point {
+        let quantity = Quantity::named(name).unwrap();
+        Point {
+            gap,
+            item: Item::Quantity(quantity),
+            given: true,
+            value,
+            truth,
+            scale: quantity.scale(truth),
+        }
+    }
+}

@@ -383,3 +383,6 @@ impl Scorecard {
         first.copied()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,7 @@
 //! What is told of values that are wrong in one known way.
 
 use super::*;
+use crate::judge::points::made::{item, point};
 
 /// Twelve gaps a decade, from 1e-3 to about 40.
 fn gaps() -> impl Iterator<Item = f64> {
@@ -8,16 +9,8 @@ fn gaps() -> impl Iterator<Item = f64> {
 }
 
 fn points(name: &str, truth: impl Fn(f64) -> f64, value: impl Fn(f64) -> f64) -> Vec<Point> {
-    let quantity = Quantity::named(name).unwrap();
     gaps()
-        .map(|gap| Point {
-            gap,
-            item: Item::Quantity(quantity),
-            given: true,
-            value: value(gap),
-            truth: truth(gap),
-            scale: quantity.scale(truth(gap)),
-        })
+        .map(|gap| point(name, gap, value(gap), truth(gap)))
         .collect()
 }
 
@@ -159,10 +152,8 @@ fn a_factor_below_a_gap_is_told_with_the_last_gap_that_it_spoils() {
         );
     }
     // Two that end at different gaps are two faults; two that end at one are one.
-    let fault = |name: &str, below: f64| {
-        let item = Item::Quantity(Quantity::named(name).unwrap());
-        Fault::new(Kind::FactorBelow(1.02, below), item, &[])
-    };
+    let fault =
+        |name: &str, below: f64| Fault::new(Kind::FactorBelow(1.02, below), item(name), &[]);
     let count = |below: f64| merged(vec![fault("x11a", 0.05), fault("x12a", below)]).len();
     assert_eq!([count(0.05), count(0.5)], [1, 2]);
 }
@@ -353,10 +344,7 @@ fn what_is_felt_at_too_few_gaps_joins_the_factor_that_fits() {
 
 #[test]
 fn noise_is_relative_to_the_larger_of_the_truth_and_one() {
-    let at = |truth: f64| Point {
-        truth,
-        ..points("x12a", falls, falls)[0]
-    };
+    let at = |truth: f64| point("x12a", 1.0, 0.0, truth);
     for (truth, stated, size) in [
         (0.5, 0.0, NOISE),
         (0.5, 1e-3, 3e-3),

@@ -1,7 +1,7 @@
 //! Fits of singular terms to made-up loads, and sums that cancel.
 
 use super::*;
-use crate::submission::Quantity;
+use crate::judge::points::made::{item, point};
 
 fn points(
     name: &str,
@@ -9,16 +9,8 @@ fn points(
     truth: impl Fn(f64) -> f64,
     wrong: impl Fn(f64) -> f64,
 ) -> Vec<Point> {
-    let item = Item::Quantity(Quantity::named(name).unwrap());
     gaps.iter()
-        .map(|&gap| Point {
-            gap,
-            item,
-            given: true,
-            value: truth(gap) + wrong(gap),
-            truth: truth(gap),
-            scale: truth(gap).abs().max(1.0),
-        })
+        .map(|&gap| point(name, gap, truth(gap) + wrong(gap), truth(gap)))
         .collect()
 }
 
@@ -177,7 +169,7 @@ fn val_true_singular_terms_obey_action_and_reaction_and_a_wrong_one_does_not() {
                 let is_inverse = diverges(name).unwrap();
                 let truth = factor(name, is_inverse).unwrap();
                 Contact {
-                    item: Item::Quantity(Quantity::named(name).unwrap()),
+                    item: item(name),
                     term: if is_inverse { "1/gap" } else { "ln(1/gap)" },
                     value: truth + if *name == wrong { by } else { 0.0 },
                     truth,

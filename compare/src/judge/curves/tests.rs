@@ -1,7 +1,7 @@
 //! Which quantities a curve puts together.
 
 use super::*;
-use crate::submission::Quantity;
+use crate::judge::points::made::item;
 
 #[test]
 fn each_quantity_is_in_the_group_that_its_name_says() {
@@ -12,8 +12,7 @@ fn each_quantity_is_in_the_group_that_its_name_says() {
         (Group::Velocities, &["x11a", "y12c", "UX1_1", "OY2_2"]),
     ] {
         for name in names {
-            let item = Item::Quantity(Quantity::named(name).unwrap());
-            assert_eq!(Group::of(item), group, "{name}");
+            assert_eq!(Group::of(item(name)), group, "{name}");
         }
     }
     assert_eq!(Group::of(Item::Approach(5.0)), Group::Approach);

@@ -3,11 +3,7 @@
 use approx::assert_relative_eq;
 
 use super::*;
-use crate::submission::Quantity;
-
-fn item(name: &str) -> Item {
-    Item::Quantity(Quantity::named(name).unwrap())
-}
+use crate::judge::points::made::{item, point};
 
 /// A fault of some quantities, each off by so much at a gap, with a number of its own.
 fn fault(kind: Kind, of: &[(&str, f64, f64, f64)]) -> Fault {
@@ -294,15 +290,8 @@ fn the_worst_of_a_fault_is_that_of_its_worst_quantity() {
     );
     assert_eq!(found.worst(), (0.3, 0.7));
     assert!(found.is_of(item("X12A")) && !found.is_of(item("Y12A")));
-    let point = |gap: f64, value: f64| Point {
-        gap,
-        item: item("X11A"),
-        given: true,
-        value,
-        truth: 4.0,
-        scale: 4.0,
-    };
-    let points = [point(0.1, 4.2), point(0.2, 3.0), point(0.3, 4.4)];
+    let points =
+        [(0.1, 4.2), (0.2, 3.0), (0.3, 4.4)].map(|(gap, value)| point("X11A", gap, value, 4.0));
     assert_eq!(
         Fault::new(Kind::Sign, item("X11A"), &points).of[0].worst,
         (0.25, 0.2)

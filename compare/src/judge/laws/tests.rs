@@ -1,20 +1,10 @@
 //! Worst breaches, eigenvalues and powers of made-up numbers.
 
 use super::*;
+use crate::judge::points::made::point;
 use crate::submission::{MatrixLaws, Values};
 use nalgebra::Matrix4;
 use scene::Gap;
-
-fn point(name: &str, gap: f64, value: f64, truth: f64) -> Point {
-    Point {
-        gap,
-        item: Item::Quantity(Quantity::named(name).unwrap()),
-        given: true,
-        value,
-        truth,
-        scale: 1.0,
-    }
-}
 
 #[test]
 fn the_worst_breach_of_each_law_is_kept_with_its_gap_and_entries() {

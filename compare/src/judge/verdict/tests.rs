@@ -4,20 +4,10 @@ use super::super::{
     BoundComparison, CaseScore, Collisions, Decay, Fault, Kind, Law, Missing, Scorecard,
 };
 use super::*;
+use crate::judge::points::made::point;
 use crate::study::maps::TrustShares;
 use crate::submission::{Header, Quantity};
 use crate::{Approach, Case};
-
-fn point(name: &str, gap: f64, error: f64) -> Point {
-    Point {
-        gap,
-        item: Item::Quantity(Quantity::named(name).unwrap()),
-        given: true,
-        value: 1.0 + error,
-        truth: 1.0,
-        scale: 1.0,
-    }
-}
 
 /// Nothing wrong, and nothing but the errors of `X11A` known.
 fn card(errors: &[(f64, f64)]) -> Scorecard {
@@ -27,7 +17,7 @@ fn card(errors: &[(f64, f64)]) -> Scorecard {
         unanswered: Vec::new(),
         points: errors
             .iter()
-            .map(|(gap, error)| point("X11A", *gap, *error))
+            .map(|(gap, error)| point("X11A", *gap, 1.0 + error, 1.0))
             .collect(),
         raw: Vec::new(),
         between: Vec::new(),
@@ -209,7 +199,7 @@ fn what_is_left_out_is_said() {
     }];
     poor.unanswered = vec![(0.3, "it gave up".to_owned()), (0.4, "again".to_owned())];
     poor.header.slip_calibration = vec![1.5, 2.0];
-    poor.raw = vec![point("XF1_1", 0.1, 0.5), point("XF1_1", 0.2, -0.6)];
+    poor.raw = vec![point("YT1_1", 0.1, 1.5, 1.0), point("YT1_1", 0.2, 0.4, 1.0)];
     has(&poor, "Missing, and so not scored: Y11B.");
     has(
         &poor,

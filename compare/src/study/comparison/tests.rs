@@ -1,9 +1,10 @@
 //! Two methods side by side, and what was not asked for.
 
 use super::*;
+use crate::Approach;
 use crate::encounters;
+use crate::made::lubrication;
 use crate::sweep::SweepOptions;
-use crate::{Approach, Model, ModelOptions};
 use scene::RunOptions;
 
 #[test]
@@ -14,8 +15,7 @@ fn errors_are_differences_from_the_exact_deflections_and_nothing_where_a_method_
         dx,
         dz: 0.0,
     };
-    let models = [Method::Lt, Method::LtCorrected]
-        .map(|method| Model::set_up(method, &ModelOptions::default()).unwrap());
+    let models = lubrication();
     let options = SweepOptions {
         run: RunOptions::default(),
         time_limit: None,

@@ -3,7 +3,8 @@
 use std::time::Duration;
 
 use super::*;
-use crate::{Approach, ModelOptions};
+use crate::Approach;
+use crate::made::lubrication;
 
 fn case(beta: f64, dx: f64) -> Case {
     Case {
@@ -12,12 +13,6 @@ fn case(beta: f64, dx: f64) -> Case {
         dx,
         dz: 0.0,
     }
-}
-
-fn models() -> Vec<Model> {
-    [Method::Lt, Method::LtCorrected]
-        .map(|method| Model::set_up(method, &ModelOptions::default()).unwrap())
-        .into()
 }
 
 fn options(time_limit: Option<Duration>) -> SweepOptions {
@@ -40,7 +35,11 @@ fn what_is_drawn_depends_on_the_number_of_runs_and_on_the_longest_panel() {
     assert_eq!(Drawn::of(2000, 500), Drawn::Points);
     assert_eq!(Drawn::of(2001, 1), Drawn::Nothing);
     // A panel is one beta.
-    let (models, options, out) = (models(), options(None), OutputFolder::temporary().unwrap());
+    let (models, options, out) = (
+        lubrication(),
+        options(None),
+        OutputFolder::temporary().unwrap(),
+    );
     let drawn = |cases: &[Case]| {
         let sweep = EncounterSweep {
             name: "made",
@@ -61,7 +60,10 @@ fn what_is_drawn_depends_on_the_number_of_runs_and_on_the_longest_panel() {
 
 #[test]
 fn methods_are_the_outer_loop_and_each_row_has_the_numbers_of_its_run() {
-    let (models, cases) = (models(), [case(1.0, 1.0), case(5.0, 2.0), case(-5.0, 0.3)]);
+    let (models, cases) = (
+        lubrication(),
+        [case(1.0, 1.0), case(5.0, 2.0), case(-5.0, 0.3)],
+    );
     let found = encounters(&models, &cases, &options(None));
     assert_eq!(found.len(), 6);
     for (k, encounter) in found.iter().enumerate() {
@@ -111,7 +113,7 @@ fn methods_are_the_outer_loop_and_each_row_has_the_numbers_of_its_run() {
 
 #[test]
 fn what_is_skipped_or_fails_has_no_numbers_and_says_which_case_it_is() {
-    let (models, cases) = (models(), [case(1.5, 1.0)]);
+    let (models, cases) = (lubrication(), [case(1.5, 1.0)]);
     let late = encounters(&models, &cases, &options(Some(Duration::ZERO)));
     for encounter in &late {
         let row = encounter.row();
@@ -145,7 +147,7 @@ fn what_is_skipped_or_fails_has_no_numbers_and_says_which_case_it_is() {
 
 #[test]
 fn a_sweep_passes_rows_in_order_returns_what_is_drawn_and_continues() {
-    let (models, cases) = (models(), [case(1.0, 1.0), case(5.0, 2.0)]);
+    let (models, cases) = (lubrication(), [case(1.0, 1.0), case(5.0, 2.0)]);
     let (usual, late) = (options(None), options(Some(Duration::ZERO)));
     let folder = tempfile::tempdir().unwrap();
     let out = OutputFolder::open(folder.path()).unwrap();
@@ -209,7 +211,7 @@ fn a_sweep_passes_rows_in_order_returns_what_is_drawn_and_continues() {
 
 #[test]
 fn the_key_changes_with_every_number_of_the_cases_and_not_with_the_samples() {
-    let (models, out) = (models(), OutputFolder::temporary().unwrap());
+    let (models, out) = (lubrication(), OutputFolder::temporary().unwrap());
     let key = |cases: &[Case], options: &SweepOptions| {
         let sweep = EncounterSweep {
             name: "made",

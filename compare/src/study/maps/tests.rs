@@ -3,7 +3,8 @@
 use std::time::Duration;
 
 use super::*;
-use crate::{Method, ModelOptions};
+use crate::Method;
+use crate::made::{lubrication, model};
 
 const PAIRS: [Pair; 2] = [
     Pair {
@@ -17,10 +18,6 @@ const PAIRS: [Pair; 2] = [
         dz: 0.0,
     },
 ];
-
-fn model(method: Method) -> Model {
-    Model::set_up(method, &ModelOptions::default()).unwrap()
-}
 
 fn maps<'a>(models: &[&'a Model], out: &'a OutputFolder, limit: Option<Duration>) -> Maps<'a> {
     Maps {
@@ -39,7 +36,7 @@ fn maps<'a>(models: &[&'a Model], out: &'a OutputFolder, limit: Option<Duration>
 
 #[test]
 fn each_map_has_its_rows_with_delta_fastest_and_the_file_has_them_all() {
-    let [lt, corrected] = [Method::Lt, Method::LtCorrected].map(model);
+    let [lt, corrected] = lubrication();
     let out = OutputFolder::temporary().unwrap();
     let maps = maps(&[&lt, &corrected], &out, None);
     maps.check().unwrap();

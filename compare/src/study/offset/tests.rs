@@ -3,14 +3,9 @@
 use std::time::Duration;
 
 use super::*;
+use crate::Approach;
+use crate::made::lubrication;
 use crate::output::OutputFolder;
-use crate::{Approach, ModelOptions};
-
-fn models() -> Vec<Model> {
-    [Method::Lt, Method::LtCorrected]
-        .map(|method| Model::set_up(method, &ModelOptions::default()).unwrap())
-        .into()
-}
 
 fn case(dx: f64) -> Case {
     Case {
@@ -21,17 +16,33 @@ fn case(dx: f64) -> Case {
     }
 }
 
-const OPTIONS: SweepOptions = SweepOptions {
-    run: RunOptions {
-        tolerance: 1e-8,
-        end_time: 200.0,
-        departure_distance: 12.0,
-        angles_at: f64::INFINITY,
-        sample_interval: None,
-        max_steps: 1_000_000,
-    },
-    time_limit: None,
-};
+fn options(time_limit: Option<Duration>) -> SweepOptions {
+    SweepOptions {
+        run: RunOptions::default(),
+        time_limit,
+    }
+}
+
+/// What a sweep passes on, and whether all is done.
+fn swept(
+    models: &[Model],
+    cases: &[Case],
+    dz: &[f64],
+    options: &SweepOptions,
+) -> (Vec<OffsetRow>, bool) {
+    let out = OutputFolder::temporary().unwrap();
+    let sweep = EncounterSweep {
+        name: "offset",
+        models,
+        cases: &with_offsets(cases, dz),
+        options,
+        out: &out,
+    };
+    sweep.check_offsets(dz).unwrap();
+    let mut rows = Vec::new();
+    let done = sweep.offsets(dz, &mut |row| rows.push(row)).unwrap();
+    (rows, done)
+}
 
 #[test]
 fn angles_between_directions_are_right_from_tiny_to_straight() {
@@ -67,8 +78,8 @@ fn each_case_is_followed_by_its_offsets() {
 
 #[test]
 fn rows_compare_each_offset_with_the_planar_run_of_its_case_and_model() {
-    let (models, dz) = (models(), [1e-9, 0.1]);
-    let (rows, encounters) = offsets(&models, &[case(1.0), case(2.0)], &dz, &OPTIONS);
+    let (models, dz) = (lubrication(), [1e-9, 0.1]);
+    let (rows, encounters) = offsets(&models, &[case(1.0), case(2.0)], &dz, &options(None));
     assert_eq!((rows.len(), encounters.len()), (8, 12));
     for (k, row) in rows.iter().enumerate() {
         let (group, offset) = (&encounters[k / 2 * 3..][..3], k % 2);
@@ -101,39 +112,15 @@ fn rows_compare_each_offset_with_the_planar_run_of_its_case_and_model() {
         "{rows:?}"
     );
     // A sweep has the same rows.
-    let out = OutputFolder::temporary().unwrap();
-    let cases = with_offsets(&[case(1.0), case(2.0)], &dz);
-    let sweep = EncounterSweep {
-        name: "offset",
-        models: &models,
-        cases: &cases,
-        options: &OPTIONS,
-        out: &out,
-    };
-    sweep.check_offsets(&dz).unwrap();
-    let mut swept = Vec::new();
-    assert!(sweep.offsets(&dz, &mut |row| swept.push(row)).unwrap());
-    assert_eq!(swept, rows);
+    let cases = [case(1.0), case(2.0)];
+    assert_eq!(swept(&models, &cases, &dz, &options(None)), (rows, true));
 }
 
 #[test]
 fn what_the_time_limit_leaves_out_has_no_change() {
-    let models = models();
-    let late = SweepOptions {
-        time_limit: Some(Duration::ZERO),
-        ..OPTIONS
-    };
-    let (out, dz) = (OutputFolder::temporary().unwrap(), [0.1]);
-    let cases = with_offsets(&[case(1.0), case(2.0)], &dz);
-    let sweep = EncounterSweep {
-        name: "offset",
-        models: &models,
-        cases: &cases,
-        options: &late,
-        out: &out,
-    };
-    let mut rows = Vec::new();
-    assert!(!sweep.offsets(&dz, &mut |row| rows.push(row)).unwrap());
+    let late = options(Some(Duration::ZERO));
+    let (rows, done) = swept(&lubrication(), &[case(1.0), case(2.0)], &[0.1], &late);
+    assert!(!done);
     assert_eq!(rows.len(), 4);
     for row in rows {
         assert!(row.change1_deg.is_nan() && row.change2_deg.is_nan() && row.min_gap.is_nan());

@@ -1,7 +1,7 @@
 use super::case::Measured;
 use super::offsets::raised;
 use super::*;
-use crate::ModelOptions;
+use crate::made::model;
 
 const CHOICES: RunChoices = RunChoices {
     tolerance: Some(1e-12),
@@ -30,7 +30,7 @@ fn measured(model: &Model, part: &Part) -> Measured {
 }
 
 fn lt() -> Model {
-    Model::set_up(Method::Lt, &ModelOptions::default()).unwrap()
+    model(Method::Lt)
 }
 
 fn value(measured: &Measured, by: &str, of: &str) -> f64 {

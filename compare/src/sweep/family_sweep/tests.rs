@@ -1,9 +1,10 @@
 //! Sweeps of a small family by lubrication theory.
 
 use super::*;
+use crate::made::lubrication;
+use crate::no_run;
 use crate::numbers::Numbers;
 use crate::sweep::RunChoices;
-use crate::{ModelOptions, no_run};
 
 const FAMILY: &str = "
     [parameters]
@@ -33,11 +34,6 @@ fn points(family: &str) -> Points {
     Points::new(Family::parse(family).unwrap(), &vary, choices).unwrap()
 }
 
-fn models() -> [Model; 2] {
-    [Method::Lt, Method::LtCorrected]
-        .map(|method| Model::set_up(method, &ModelOptions::default()).unwrap())
-}
-
 fn share<'a>(
     points: &'a Points,
     models: &'a [Model],
@@ -58,7 +54,11 @@ const WHOLE: Share = Share { number: 1, of: 1 };
 
 #[test]
 fn rows_are_model_by_model_with_the_last_axis_fastest_and_what_each_run_gives() {
-    let (points, models, out) = (points(FAMILY), models(), OutputFolder::temporary().unwrap());
+    let (points, models, out) = (
+        points(FAMILY),
+        lubrication(),
+        OutputFolder::temporary().unwrap(),
+    );
     let sweep = share(&points, &models, WHOLE, &out);
     assert_eq!(
         sweep.header()[..4],
@@ -111,7 +111,7 @@ fn rows_are_model_by_model_with_the_last_axis_fastest_and_what_each_run_gives() 
 
 #[test]
 fn shares_have_the_rows_of_the_whole_and_a_share_without_a_row_is_refused() {
-    let (points, models) = (points(FAMILY), models());
+    let (points, models) = (points(FAMILY), lubrication());
     let rows = |number: usize, of: usize| {
         let out = OutputFolder::temporary().unwrap();
         let mut rows = Vec::new();
@@ -136,7 +136,11 @@ fn shares_have_the_rows_of_the_whole_and_a_share_without_a_row_is_refused() {
 
 #[test]
 fn a_time_limit_skips_rows_and_writes_no_manifest() {
-    let (points, models, out) = (points(FAMILY), models(), OutputFolder::temporary().unwrap());
+    let (points, models, out) = (
+        points(FAMILY),
+        lubrication(),
+        OutputFolder::temporary().unwrap(),
+    );
     let sweep = FamilySweep {
         time_limit: Some(Duration::ZERO),
         ..share(&points, &models, WHOLE, &out)
@@ -164,7 +168,7 @@ fn a_run_that_fails_is_a_row_without_numbers_and_a_reason() {
     let family = format!("{FAMILY}\n    max_steps = 1");
     let (points, models, out) = (
         points(&family),
-        models(),
+        lubrication(),
         OutputFolder::temporary().unwrap(),
     );
     let sweep = share(&points, &models, WHOLE, &out);

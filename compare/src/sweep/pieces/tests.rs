@@ -3,6 +3,7 @@
 use serde::Deserialize;
 
 use super::*;
+use crate::made::lubrication;
 use crate::output::part_of;
 
 #[derive(Debug, Deserialize, PartialEq)]
@@ -286,8 +287,7 @@ fn rows_of_another_sweep_are_kept_unless_they_may_be_deleted() {
 
 #[test]
 fn the_key_is_one_line_that_changes_with_all_that_rows_depend_on() {
-    let [lt, corrected] = [crate::Method::Lt, crate::Method::LtCorrected]
-        .map(|method| Model::set_up(method, &crate::ModelOptions::default()).unwrap());
+    let [lt, corrected] = lubrication();
     let run = RunOptions::default();
     let usual = key("made", [&lt], &run, "rest\nof it");
     assert!(

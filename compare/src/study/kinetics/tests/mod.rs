@@ -10,7 +10,8 @@ mod readme;
 use scene::RunOptions;
 
 use super::*;
-use crate::{Method, Model, ModelOptions};
+use crate::made::model;
+use crate::{Method, Model};
 
 /// Options of the runs.
 fn options() -> RunOptions {
@@ -18,10 +19,6 @@ fn options() -> RunOptions {
         tolerance: 1e-8,
         ..RunOptions::default()
     }
-}
-
-fn model(method: Method) -> Model {
-    Model::set_up(method, &ModelOptions::default()).unwrap()
 }
 
 /// A few pairs without any symmetry.
