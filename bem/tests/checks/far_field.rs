@@ -154,18 +154,14 @@ fn val_pairs_on_a_mesh_stop_turning_as_they_part() {
     }
 }
 
-/// The method of reflections (Kim & Karrila 2005, chapter 11): the next terms are smaller by `1/r^2`, with factors below 5. At such distances panels are
-/// integrated by the rules of fewest points.
+/// The method of reflections (Kim & Karrila 2005, chapter 11): the next terms are smaller by `1/r^2`, with factors below 5.
 #[test]
 fn val_loads_of_spheres_far_apart_are_those_of_the_first_reflections() {
     let model = Bem::new(1).unwrap();
-    let lone = model
-        .loads(Gap::new(1e9).unwrap(), LoadSet::all(0))
-        .unwrap();
+    let lone = model.loads(gap(1e9), LoadSet::all(0)).unwrap();
     for eps in [6.0, 14.0, 30.0, 60.0, 120.0, 250.0, 1e3] {
-        let gap = Gap::new(eps).unwrap();
-        let r = gap.distance();
-        let loads = model.loads(gap, LoadSet::all(0)).unwrap();
+        let r = gap(eps).distance();
+        let loads = model.loads(gap(eps), LoadSet::all(0)).unwrap();
         for (name, found, expected) in [
             ("X11A", loads.xa.own() - lone.xa.own(), 2.25 / (r * r)),
             ("X12A", loads.xa.other(), -1.5 / r),
